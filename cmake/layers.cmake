@@ -1,0 +1,33 @@
+# One static library per layer. A layer's folder appears under
+# <build>/include/wellspaced/ as a link, so that the include line is
+# "wellspaced/kernel/..." inside the tree, by add_subdirectory and installed.
+set(WELLSPACED_INCLUDE_DIR ${CMAKE_CURRENT_BINARY_DIR}/include)
+
+# wellspaced_private_options(TARGET): what our own sources are compiled with.
+# -ffp-contract=off: the same bits come out with and without FMA hardware.
+function(wellspaced_private_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow
+      $<$<BOOL:${WELLSPACED_WERROR}>:-Werror>)
+  elseif(MSVC)
+    target_compile_options(${target} PRIVATE /fp:precise /W4)
+  endif()
+endfunction()
+
+# wellspaced_layer(NAME SOURCES ... DEPENDS ...): the library wellspaced::NAME.
+function(wellspaced_layer name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  file(MAKE_DIRECTORY ${WELLSPACED_INCLUDE_DIR}/wellspaced)
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${WELLSPACED_INCLUDE_DIR}/wellspaced/${name}
+    SYMBOLIC COPY_ON_ERROR)
+  add_library(wellspaced_${name} STATIC ${ARG_SOURCES})
+  add_library(wellspaced::${name} ALIAS wellspaced_${name})
+  set_target_properties(wellspaced_${name} PROPERTIES EXPORT_NAME ${name}
+    POSITION_INDEPENDENT_CODE ON)
+  wellspaced_private_options(wellspaced_${name})
+  target_include_directories(wellspaced_${name} PUBLIC
+    $<BUILD_INTERFACE:${WELLSPACED_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(wellspaced_${name} PUBLIC ${ARG_DEPENDS})
+endfunction()

@@ -1,0 +1,1 @@
+#include "wellspaced/kernel/predicates.hpp"

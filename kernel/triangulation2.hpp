@@ -1,0 +1,80 @@
+// The topology of a planar triangulation: who neighbours whom. It knows no coordinates.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+#include "wellspaced/kernel/mesh.hpp"
+
+namespace wellspaced {
+
+/// A triangulation of the plane closed up to a sphere: every hull edge has a ghost triangle behind
+/// it, whose third vertex is the ghost vertex at infinity. So every triangle has three neighbours,
+/// and no operation has a special case for the hull.
+///
+/// Layout: 24 bytes a triangle, three vertices and three links. The link opposite corner i is
+/// neighbour << 3 | constrained << 2 | (number of the common edge in the neighbour), so that
+/// nothing is ever searched for. Limit: kMaxTriangles.
+///
+/// Invariants (is_valid checks them): links are mutual, both sides of an edge name the same two
+/// vertices in opposite order, and both carry the same constrained flag.
+class Triangulation2 {
+ public:
+  /// The vertex at infinity.
+  static constexpr Index kGhost = kNoIndex;
+  static constexpr Index kMaxTriangles = Index{1} << 29;
+
+  /// Edge i of a triangle, opposite its corner i; it runs from corner i+1 to corner i+2, with the
+  /// triangle on its left. Dies when the triangle is rewritten (by an insertion, removal or flip
+  /// that touches it).
+  struct Edge {
+    Index triangle = kNoIndex;
+    unsigned i = 0;
+    friend bool operator==(Edge, Edge) = default;
+  };
+
+  static constexpr unsigned next(unsigned i) { return i == 2 ? 0 : i + 1; }
+  static constexpr unsigned previous(unsigned i) { return i == 0 ? 2 : i - 1; }
+
+  /// The number of triangles, ghosts included.
+  Index size() const { return static_cast<Index>(triangles_.size()); }
+  bool empty() const { return triangles_.empty(); }
+
+  Index vertex(Index t, unsigned i) const { return triangles_[t].vertex[i]; }
+  const std::array<Index, 3>& vertices(Index t) const { return triangles_[t].vertex; }
+  bool is_ghost(Index t) const {
+    const auto& v = triangles_[t].vertex;
+    return v[0] == kGhost || v[1] == kGhost || v[2] == kGhost;
+  }
+
+  Index neighbor(Index t, unsigned i) const { return triangles_[t].link[i] >> 3; }
+  /// The same edge seen from the other side.
+  Edge mirror(Edge e) const {
+    const std::uint32_t link = triangles_[e.triangle].link[e.i];
+    return {link >> 3, link & 3u};
+  }
+  bool is_constrained(Edge e) const { return (triangles_[e.triangle].link[e.i] & 4u) != 0; }
+  Index origin(Edge e) const { return vertex(e.triangle, next(e.i)); }
+  Index destination(Edge e) const { return vertex(e.triangle, previous(e.i)); }
+  /// The corner of the edge's triangle that is not on the edge.
+  Index apex(Edge e) const { return vertex(e.triangle, e.i); }
+
+  /// The next edge counter-clockwise that leaves the same origin. Repeating it runs through the
+  /// star of the origin once, ghosts included.
+  Edge next_around_origin(Edge e) const {
+    const Edge inner{e.triangle, next(e.i)};  // runs from destination to apex
+    return mirror({inner.triangle, next(inner.i)});  // apex to origin, seen from outside
+  }
+
+ private:
+  friend class Delaunay2;
+  struct Triangle {
+    std::array<Index, 3> vertex;
+    std::array<std::uint32_t, 3> link;
+  };
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace wellspaced
