@@ -12,43 +12,104 @@ namespace wellspaced {
 
 /// A constrained Delaunay triangulation of the convex hull of its points.
 ///
-/// Vertices are numbered as the input points are. A point with the coordinates of an earlier one
-/// is no vertex: duplicate_of() names the vertex that stands for it. Fewer than three points, or
-/// collinear ones, give no triangle: dimension() says so.
+/// Vertices are numbered as the input points are. A point with the coordinates of another is no
+/// vertex: representative() names the one that stands for it, the lowest of them. Fewer than three
+/// points, or collinear ones, give no triangle: dimension() says so.
+///
+/// Triangle numbers and edges die with every change of the triangulation; vertex numbers stay.
 class Delaunay2 {
  public:
   using Edge = Triangulation2::Edge;
 
-  /// The Delaunay triangulation of `points`: exact; ties (cocircular points) are broken by the
-  /// order of insertion, so the same points in the same order give the same triangles.
-  /// Errors: kInvalidGeometry for a NaN or infinite coordinate (ids: the point); kLimit beyond
+  /// Where a point lies. kOutside: beyond the hull edge of the ghost triangle `edge.triangle`.
+  enum class Place { kFace, kEdge, kVertex, kOutside };
+  struct Location {
+    Place place = Place::kOutside;
+    /// kFace: some edge of the triangle; kEdge: the edge; kVertex: an edge that leaves the vertex;
+    /// kOutside: the hull edge, seen from its ghost triangle.
+    Edge edge;
+  };
+
+  /// The Delaunay triangulation of `points`: exact. Ties (cocircular points) are broken by the
+  /// order of insertion, which depends on the points and their numbers alone.
+  /// Errors: kInvalidGeometry for a NaN or infinite coordinate (ids: the points); kLimit beyond
   /// 2^28 points.
-  /// Cost: O(n log n) expected time, 48 bytes a point kept and about 70 at the peak.
+  /// Cost: O(n log n) expected time for every input; 72 bytes a point kept and about 75 at the
+  /// peak.
   static Result<Delaunay2> build(std::span<const Point2> points);
 
   /// -1: no point; 0: all points are equal; 1: all are collinear; 2.
   int dimension() const { return dimension_; }
   const std::vector<Point2>& points() const { return points_; }
-  /// For each point the vertex that stands for it: itself unless it is a duplicate. 
-  Index representative(Index point) const;
+  /// Whose third corner may be Triangulation2::kGhost. Empty below dimension 2.
   const Triangulation2& topology() const { return topology_; }
+
+  /// The vertex that stands for a point: itself unless it is a duplicate.
+  Index representative(Index point) const {
+    return representative_.empty() ? point : representative_[point];
+  }
+  std::size_t duplicate_count() const { return duplicate_count_; }
+
+  /// Where p lies. `hint` is a triangle to start from (any number will do).
+  /// Requires: dimension() == 2.
+  /// Cost: O(sqrt n) expected from afar, O(1) from near by.
+  Location locate(Point2 p, Index hint = 0) const;
+
+  /// Some edge that leaves vertex v; triangle == kNoIndex if v is a duplicate or dimension() < 2.
+  Edge edge_from(Index v) const;
+  /// The edge from vertex a to vertex b, if there is one (triangle == kNoIndex: none).
+  /// Cost: the degree of a.
+  Edge find_edge(Index a, Index b) const;
 
   /// Makes the segment from a to b part of the triangulation. Vertices that lie on it split it.
   /// Returns the vertices along it, a first. Duplicates are replaced by their vertex; a segment
-  /// whose ends coincide changes nothing.
+  /// whose ends coincide changes nothing and returns that one vertex.
+  /// Requires: dimension() == 2.
   /// Errors: kInvalidGeometry where it would cross a constrained edge in its interior (ids: a, b
   /// and the ends of that edge); then the triangulation is unchanged.
-  /// Cost: proportional to the triangles crossed and the degrees of the vertices on the way.
+  /// Cost: typically proportional to the triangles crossed and the degrees of the vertices met;
+  /// restoring the Delaunay property takes O(k^2) flips for k crossed triangles at the worst.
   Result<std::vector<Index>> insert_constraint(Index a, Index b);
 
-  /// The edge from vertex a to vertex b, if there is one (triangle == kNoIndex: none).
-  Edge find_edge(Index a, Index b) const;
-  /// Some edge that leaves vertex v (triangle == kNoIndex: v is in no triangle).
-  Edge edge_from(Index v) const;
-
  private:
+  // A point that is no vertex, and the vertex that stands for it.
+  struct Duplicate {
+    Index point, vertex;
+  };
+  // Scratch space of an insertion, kept from one to the next to save allocations.
+  struct Cavity {
+    std::vector<Index> hole;
+    std::vector<Triangulation2::RimEdge> rim;
+    std::vector<std::uint32_t> stack;
+  };
+
+  bool start();
+  void insert_in_order(std::vector<Duplicate>& duplicates);
+  std::vector<Duplicate> sort_out_duplicates() const;
+  void number_as_input(std::span<const Point2> points, std::vector<Index>& order,
+                       const std::vector<Duplicate>& duplicates);
+  void index_triangles();
+
+  int turn(Index a, Index b, Index c) const;
+  int side_of_edge(Edge e, Point2 p) const;
+  Location locate_exhaustively(Point2 p) const;
+  bool in_conflict(Index t, Point2 p) const;
+  bool ghost_in_conflict(Index t, Point2 p) const;
+  void find_cavity(Edge root, Point2 p, Cavity& cavity) const;
+
+  Edge first_step(Index a, Index b) const;
+  Index trace_to_vertex(Index a, Index b, std::vector<Edge>& crossed) const;
+  void force_edge(Index a, Index b, std::vector<Edge>& crossed);
+  Edge triangulate_side(std::span<const Edge> rim, Index end, Index first_new);
+  void refresh_triangle_of(Index t);
+  bool is_locally_delaunay(Edge e) const;
+  void restore_delaunay(std::span<const Index> triangles);
+
   int dimension_ = -1;
+  std::size_t duplicate_count_ = 0;
   std::vector<Point2> points_;
+  std::vector<Index> representative_;  // empty: no duplicates
+  std::vector<Index> triangle_of_;     // for each vertex a triangle that has it as a corner
   Triangulation2 topology_;
 };
 

@@ -13,12 +13,12 @@ namespace wellspaced {
 
 /// What went wrong. The command line's exit codes follow from it.
 enum class ErrorCode {
-  kUsage,             ///< an option or argument is out of its documented range
-  kUnreadable,        ///< a file is missing, truncated or malformed
-  kInvalidGeometry,   ///< the data were read, but describe no valid mesh, domain or point set
-  kLimit,             ///< a limit of time, memory, points or size was hit
-  kCancelled,         ///< the caller's callback asked to stop
-  kInternal           ///< a bug of ours: an invariant does not hold
+  kUsage,            ///< an option or argument is out of its documented range
+  kUnreadable,       ///< a file is missing, truncated or malformed
+  kInvalidGeometry,  ///< the data were read, but describe no valid mesh, domain or point set
+  kLimit,            ///< a limit of time, memory, points or size was hit
+  kCancelled,        ///< the caller's callback asked to stop
+  kInternal          ///< a bug of ours: an invariant does not hold
 };
 
 /// Bad data, said once: a code, one line that names what to mend, and the offending items in the

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
@@ -49,6 +50,12 @@ class Triangulation2 {
     return v[0] == kGhost || v[1] == kGhost || v[2] == kGhost;
   }
 
+  /// Which corner of triangle t vertex v is. Requires: it is one.
+  unsigned corner_of(Index t, Index v) const {
+    const auto& corners = triangles_[t].vertex;
+    return corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+  }
+
   Index neighbor(Index t, unsigned i) const { return triangles_[t].link[i] >> 3; }
   /// The same edge seen from the other side.
   Edge mirror(Edge e) const {
@@ -64,16 +71,59 @@ class Triangulation2 {
   /// The next edge counter-clockwise that leaves the same origin. Repeating it runs through the
   /// star of the origin once, ghosts included.
   Edge next_around_origin(Edge e) const {
-    const Edge inner{e.triangle, next(e.i)};  // runs from destination to apex
+    const Edge inner{e.triangle, next(e.i)};         // runs from destination to apex
     return mirror({inner.triangle, next(inner.i)});  // apex to origin, seen from outside
   }
 
+  /// Whether the invariants hold. Cost: linear.
+  bool is_valid() const;
+
+  // Operations on the topology; Delaunay2 decides where they keep the triangulation embedded.
+
+  /// One edge of a hole's rim, on the rim's way counter-clockwise round the hole: the vertex where
+  /// it starts, and the link to the edge in the triangle outside.
+  struct RimEdge {
+    Index origin;
+    std::uint32_t outside;
+  };
+
+  /// Starts afresh with triangle (a, b, c) and its three ghosts.
+  void reset(Index a, Index b, Index c);
+
+  /// Replaces the k triangles of `hole` by the k + 2 triangles that join `apex` to `rim`. The
+  /// triangle at rim[i] is hole[i], the last two are new; its corner 0 is the apex.
+  /// Requires: the rim runs once round the hole.
+  void fill_with_star(std::span<const Index> hole, std::span<const RimEdge> rim, Index apex);
+
+  /// Replaces edge e by the other diagonal of the quadrilateral around it. Afterwards the two
+  /// triangles are (apex, origin, opposite) = e.triangle and (opposite, destination, apex).
+  /// Requires: e is not constrained.
+  void flip(Edge e);
+
+  /// Appends triangle (a, b, c), still unlinked, and returns its number.
+  Index add(Index a, Index b, Index c);
+
+  /// Makes the two edges each other's mirror.
+  void link(Edge e, Edge f, bool constrained);
+
+  /// Moves the last slots.size() triangles into `slots`, whose triangles are given up.
+  /// Requires: nothing links to the triangles given up.
+  void move_into(std::span<const Index> slots);
+
+  /// Marks both sides of an edge.
+  void set_constrained(Edge e, bool constrained);
+
  private:
   friend class Delaunay2;
+
   struct Triangle {
     std::array<Index, 3> vertex;
     std::array<std::uint32_t, 3> link;
   };
+
+  static constexpr std::uint32_t kConstrained = 4;
+  static constexpr std::uint32_t pack(Index t, unsigned i) { return t << 3 | i; }
+
   std::vector<Triangle> triangles_;
 };
 
