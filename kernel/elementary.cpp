@@ -1,6 +1,7 @@
 #include "wellspaced/kernel/elementary.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace wellspaced {
 namespace {
@@ -51,6 +52,20 @@ double power_of_two(double exponent) {
   double sum = 1;
   for (int k = 17; k >= 1; --k) sum = 1 + sum * x / k;
   return std::ldexp(sum, static_cast<int>(whole));
+}
+
+double binary_logarithm(double x) {
+  if (!(x > 0) || std::isinf(x))
+    return x == 0 ? -std::numeric_limits<double>::infinity() : std::sqrt(x);
+  constexpr double kHalfRoot = 0.70710678118654752440084436210485;
+  int exponent = 0;
+  double mantissa = std::frexp(x, &exponent);
+  if (mantissa < kHalfRoot) mantissa *= 2, --exponent;
+  // ln m = 2 artanh((m - 1) / (m + 1)), whose argument is below 0.172.
+  const double s = (mantissa - 1) / (mantissa + 1), square = s * s;
+  double sum = 0;
+  for (int k = 23; k >= 1; k -= 2) sum = 1.0 / k + square * sum;
+  return exponent + 2 * s * sum / kLog2;
 }
 
 }  // namespace wellspaced

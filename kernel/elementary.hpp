@@ -14,4 +14,8 @@ Point2 circle_point(double turns);
 /// Requires: -1022 <= exponent < 1024.
 double power_of_two(double exponent);
 
+/// The logarithm to base 2: exact for powers of two, else within 1e-15 * max(1, |log2 x|).
+/// Degenerate: 0 gives -infinity, infinity itself, a negative number or NaN gives NaN.
+double binary_logarithm(double x);
+
 }  // namespace wellspaced

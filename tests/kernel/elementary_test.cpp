@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "wellspaced/kernel/random.hpp"
 
@@ -43,6 +44,27 @@ TEST(PowerOfTwo, IsWithinTwoUnitsInTheLastPlace) {
     const double exponent = random.uniform(-60, 60);
     EXPECT_NEAR(power_of_two(exponent) / static_cast<double>(std::exp2l(exponent)), 1, 0x1p-51);
   }
+}
+
+TEST(BinaryLogarithm, IsExactForPowersOfTwo) {
+  for (int k = -1074; k < 1024; ++k) EXPECT_EQ(binary_logarithm(std::ldexp(1.0, k)), k);
+}
+
+TEST(BinaryLogarithm, IsWithinItsBound) {
+  Random random(3);
+  for (int k = 0; k < 100000; ++k) {
+    const double x = power_of_two(random.uniform(-60, 60));
+    const double expected = static_cast<double>(std::log2(static_cast<long double>(x)));
+    EXPECT_NEAR(binary_logarithm(x), expected, 1e-15 * std::fmax(1, std::fabs(expected)));
+  }
+}
+
+TEST(BinaryLogarithm, HasTheUsualLimits) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(binary_logarithm(0), -infinity);
+  EXPECT_EQ(binary_logarithm(infinity), infinity);
+  EXPECT_TRUE(std::isnan(binary_logarithm(-1)));
+  EXPECT_TRUE(std::isnan(binary_logarithm(std::nan(""))));
 }
 
 }  // namespace

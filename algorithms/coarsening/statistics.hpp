@@ -1,0 +1,29 @@
+// The statistics of a level of a coarsening sequence: the columns of Tables 8.1 and 8.3 to 8.8.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "wellspaced/kernel/mesh.hpp"
+
+namespace wellspaced {
+
+/// The angles of a mesh's triangles. Boundary triangles are those with a boundary node, that is, a
+/// node on a segment; the others are interior. Empty where there is no such triangle.
+/// le_10: the number of angles of at most 10 degrees.
+struct AngleStatistics {
+  std::optional<double> interior_min_deg, boundary_min_deg, max_deg;
+  std::size_t interior_le_10 = 0, boundary_le_10 = 0;
+};
+
+/// Requires: triangle and segment indices in range.
+/// Degenerate: a flat triangle has the angles 0, 0 and 180; coincident corners have none.
+/// Cost: linear.
+/// See: section 8.1, Tables 8.3 to 8.8.
+AngleStatistics angle_statistics(const TriangleMesh& mesh);
+
+/// log2 of the longest over the shortest edge of the triangles (CHOICES 4).
+/// Returns: empty for a mesh without triangles; infinity where an edge has no length.
+std::optional<double> gradation(const TriangleMesh& mesh);
+
+}  // namespace wellspaced
