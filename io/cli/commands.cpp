@@ -1,0 +1,34 @@
+#include <array>
+
+#include "wellspaced/io/cli/command.hpp"
+
+namespace wellspaced::cli {
+
+// To add a command: declare it here, list it below, define it in a file of its own.
+
+namespace {
+
+constexpr std::array<const Command*, 0> kCommands = {};
+
+}  // namespace
+
+std::span<const Command* const> commands() { return kCommands; }
+
+int exit_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kUsage:
+      return 2;
+    case ErrorCode::kUnreadable:
+      return 3;
+    case ErrorCode::kInvalidGeometry:
+      return 4;
+    case ErrorCode::kLimit:
+    case ErrorCode::kCancelled:
+      return kExitLimit;
+    case ErrorCode::kInternal:
+      return 6;
+  }
+  return 6;
+}
+
+}  // namespace wellspaced::cli

@@ -1,0 +1,110 @@
+#include "wellspaced/io/cli/process.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <new>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#include <unistd.h>
+#define WELLSPACED_POSIX 1
+#else
+#define WELLSPACED_POSIX 0
+#endif
+
+namespace wellspaced::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupt_flag = 0;
+
+extern "C" void set_interrupt_flag(int) { interrupt_flag = 1; }
+
+void exit_without_memory() {
+  std::fputs(
+      "wellspaced: out of memory; nothing was written; raise --max-memory or use a "
+      "smaller input\n",
+      stderr);
+  std::_Exit(5);
+}
+
+// A line "NAME:  123 kB" of /proc/self/status, in bytes.
+std::uint64_t status_bytes(const char* format) {
+  std::FILE* const file = std::fopen("/proc/self/status", "r");
+  if (file == nullptr) return 0;
+  char line[256];
+  unsigned long long kilobytes = 0;
+  while (std::fgets(line, sizeof line, file) != nullptr)
+    if (std::sscanf(line, format, &kilobytes) == 1) break;
+  std::fclose(file);
+  return kilobytes * 1024;
+}
+
+}  // namespace
+
+bool interrupted() { return interrupt_flag != 0; }
+
+void report_memory_exhaustion() { std::set_new_handler(exit_without_memory); }
+
+#if WELLSPACED_POSIX
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = set_interrupt_flag;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // and no SA_RESTART: a blocked read returns
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+void limit_memory(std::uint64_t bytes) {
+  const rlimit limit{static_cast<rlim_t>(bytes), static_cast<rlim_t>(bytes)};
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+bool standard_error_is_terminal() { return isatty(STDERR_FILENO) == 1; }
+
+double cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+#else
+
+void catch_interrupts() {
+  std::signal(SIGINT, set_interrupt_flag);
+  std::signal(SIGTERM, set_interrupt_flag);
+}
+void limit_memory(std::uint64_t) {}
+bool standard_error_is_terminal() { return false; }
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+#endif
+
+std::uint64_t resident_bytes() { return status_bytes("VmRSS: %llu"); }
+
+std::uint64_t peak_resident_bytes() { return status_bytes("VmHWM: %llu"); }
+
+void reset_peak_resident() {
+  std::FILE* const file = std::fopen("/proc/self/clear_refs", "w");
+  if (file == nullptr) return;
+  std::fputs("5", file);
+  std::fclose(file);
+}
+
+double wall_seconds() {
+  const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+  return now.count();
+}
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  return result;
+}
+
+}  // namespace wellspaced::cli

@@ -1,0 +1,37 @@
+// The few things that the program asks of its operating system. The library never does.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace wellspaced::cli {
+
+/// From now on the first Ctrl-C (SIGINT) or SIGTERM only sets the flag of interrupted(); a second
+/// one kills as usual. A write to a closed pipe becomes an error.
+void catch_interrupts();
+bool interrupted();
+
+/// Lets allocations fail beyond `bytes`, where the system can. Running out of memory prints one
+/// line and exits with code 5.
+void limit_memory(std::uint64_t bytes);
+void report_memory_exhaustion();
+
+bool standard_error_is_terminal();
+
+/// Resident memory now; 0 where the system does not tell.
+std::uint64_t resident_bytes();
+/// The most resident memory since reset_peak_resident(), or since the start where the system
+/// cannot reset it.
+std::uint64_t peak_resident_bytes();
+void reset_peak_resident();
+
+/// Processor time that the process has used, in seconds.
+double cpu_seconds();
+/// Time on a steady clock, in seconds.
+double wall_seconds();
+
+/// `text` with control characters replaced by '?': one line, whatever a file name holds.
+std::string printable(std::string_view text);
+
+}  // namespace wellspaced::cli

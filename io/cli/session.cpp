@@ -1,0 +1,125 @@
+#include "wellspaced/io/cli/session.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "wellspaced/io/cli/process.hpp"
+#include "wellspaced/io/text/scanner.hpp"
+
+namespace wellspaced::cli {
+namespace {
+
+constexpr auto kDrawInterval = std::chrono::milliseconds(100);
+constexpr double kMegabyte = 1e6;
+
+// Stop a little before the limit that the operating system enforces, while there is room to end
+// in good order.
+constexpr std::uint64_t soft_limit(std::uint64_t bytes) { return bytes - bytes / 8; }
+
+std::string bar_text(std::string_view phase, std::uint64_t done, std::uint64_t total) {
+  constexpr std::uint64_t kWidth = 30;
+  const double part =
+      total == 0 ? 0 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
+  const auto filled = static_cast<std::size_t>(part * kWidth);
+  std::string text = "[";
+  text.append(filled, '#').append(kWidth - filled, ' ').append("] ");
+  return text + std::to_string(static_cast<int>(part * 100)) + "% " + std::string(phase);
+}
+
+}  // namespace
+
+CommonOptions read_common_options(Arguments& arguments) {
+  CommonOptions options;
+  options.output = arguments.text("-o", "");
+  options.format = arguments.text("--format", "");
+  options.json = arguments.text("--json", "");
+  options.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, at_least(0)));
+  arguments.integer("--threads", 1, between(1, 1024));
+  if (arguments.has("--time-limit"))
+    options.time_limit = arguments.number("--time-limit", 0, more_than(0));
+  if (arguments.has("--max-memory"))
+    options.max_memory = static_cast<std::uint64_t>(
+        kMegabyte * arguments.number("--max-memory", 0, between(1, 1e9)));
+  options.quiet = arguments.has("--quiet");
+  for (const std::string_view name : {"-o", "--json"})
+    if (arguments.has(name) && arguments.text(name, "").empty()) arguments.refuse(name, "is empty");
+  if (options.output == "-" && options.json == "-")
+    arguments.refuse("--json", "the standard output takes one of -o and --json");
+  return options;
+}
+
+Session::Session(CommonOptions options) : options_(std::move(options)), start_(Clock::now()) {
+  draws_ = !options_.quiet && standard_error_is_terminal();
+  if (options_.max_memory) limit_memory(*options_.max_memory);
+}
+
+Session::~Session() { clear_bar(); }
+
+Progress Session::progress() {
+  return [this](std::string_view phase, std::uint64_t done, std::uint64_t total) {
+    return keep_going(phase, done, total);
+  };
+}
+
+bool Session::keep_going(std::string_view phase, std::uint64_t done, std::uint64_t total) {
+  stopped_ = find_reason();
+  phase_ = phase;
+  if (stopped_) return false;
+  if (draws_ && Clock::now() - last_drawn_ >= kDrawInterval) draw_bar(phase, done, total);
+  return true;
+}
+
+std::optional<StopReason> Session::find_reason() const {
+  if (interrupted()) return StopReason::kInterrupted;
+  const std::chrono::duration<double> elapsed = Clock::now() - start_;
+  if (options_.time_limit && elapsed.count() > *options_.time_limit) return StopReason::kTimeLimit;
+  if (options_.max_memory && resident_bytes() > soft_limit(*options_.max_memory))
+    return StopReason::kMemoryLimit;
+  return {};
+}
+
+void Session::draw_bar(std::string_view phase, std::uint64_t done, std::uint64_t total) {
+  last_drawn_ = Clock::now();
+  bar_shows_ = true;
+  std::fprintf(stderr, "\r\033[K%s", bar_text(phase, done, total).c_str());
+  std::fflush(stderr);
+}
+
+void Session::clear_bar() {
+  if (bar_shows_) std::fputs("\r\033[K", stderr);
+  bar_shows_ = false;
+}
+
+Status Session::write_json(const JsonWriter& json) {
+  if (!wants_json()) return Ok{};
+  return outputs_.add(options_.json, [&](TextWriter& out) { out << json.text() << '\n'; });
+}
+
+void Session::note(std::string_view text) {
+  if (options_.quiet) return;
+  clear_bar();
+  std::fprintf(stderr, "wellspaced: note: %s\n", printable(text).c_str());
+}
+
+Status Session::finish() {
+  clear_bar();
+  if (interrupted()) return explain({ErrorCode::kCancelled, "", {}});
+  if (!options_.quiet && !report_.empty() && !outputs_.uses_standard_output())
+    if (Status status = outputs_.add("-", [&](TextWriter& out) { out << report_; }); !status)
+      return status;
+  return outputs_.commit();
+}
+
+Error Session::explain(Error error) const {
+  const std::string in_phase = phase_.empty() ? "" : " while it did: " + phase_;
+  const std::string outcome = in_phase + "; nothing was written";
+  if (interrupted()) return {ErrorCode::kCancelled, "interrupted" + outcome, {}};
+  if (error.code != ErrorCode::kCancelled || !stopped_) return error;
+  const bool time = *stopped_ == StopReason::kTimeLimit;
+  return {ErrorCode::kLimit,
+          (time ? "the time limit was reached" : "the memory limit was reached") + outcome +
+              (time ? "; raise --time-limit" : "; raise --max-memory"),
+          {}};
+}
+
+}  // namespace wellspaced::cli

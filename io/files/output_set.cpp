@@ -1,0 +1,159 @@
+#include "wellspaced/io/files/output_set.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace wellspaced {
+
+namespace fs = std::filesystem;
+
+struct OutputSet::Output {
+  std::string path;       // as the caller named it
+  std::string target;     // where it goes, links followed
+  std::string temporary;  // where it is written; empty: it waits in `text`
+  std::string text;
+};
+
+namespace {
+
+std::string describe(int error_number) { return std::generic_category().message(error_number); }
+
+Error cannot_create(const std::string& path, const std::string& why) {
+  return {ErrorCode::kUsage, path + ": cannot create: " + why, {}};
+}
+
+Error cannot_write(const std::string& path, int error_number) {
+  const std::string name = path == "-" ? "<stdout>" : path;
+  return {ErrorCode::kLimit, name + ": cannot write: " + describe(error_number), {}};
+}
+
+bool waits_in_memory(const std::string& path) {
+  std::error_code error;
+  return path == "-" || (fs::exists(path, error) && !fs::is_regular_file(path, error));
+}
+
+std::string follow_links(const std::string& path) {
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target.string();
+}
+
+// Opens a new file beside `target`. Returns null, with errno, if none can be made.
+std::FILE* open_beside(const std::string& target, std::string& name) {
+  constexpr int kTries = 1000;
+  for (int i = 0; i < kTries; ++i) {
+    name = target + ".part" + std::to_string(i);
+    std::FILE* const file = std::fopen(name.c_str(), "wbx");
+    if (file != nullptr || errno != EEXIST) return file;
+  }
+  return nullptr;
+}
+
+void keep_permissions(const std::string& from, const std::string& to) {
+  std::error_code error;
+  const fs::file_status status = fs::status(from, error);
+  if (fs::exists(status)) fs::permissions(to, status.permissions(), error);
+}
+
+Status write_stream(const std::string& path, std::FILE* stream, std::string_view bytes) {
+  TextWriter writer(stream);
+  writer << bytes;
+  if (writer.flush()) return Ok{};
+  return cannot_write(path, writer.error());
+}
+
+Status write_in_place(const std::string& path, std::string_view bytes) {
+  if (path == "-") return write_stream(path, stdout, bytes);
+  std::FILE* const stream = std::fopen(path.c_str(), "wb");
+  if (stream == nullptr) return cannot_create(path, describe(errno));
+  const Status status = write_stream(path, stream, bytes);
+  return std::fclose(stream) == 0 || !status.ok() ? status : cannot_write(path, errno);
+}
+
+}  // namespace
+
+OutputSet::OutputSet() = default;
+OutputSet::~OutputSet() { discard(); }
+
+Status OutputSet::add(const std::string& path, const std::function<void(TextWriter&)>& write) {
+  std::error_code error;
+  if (path.empty()) return cannot_create("''", "the name is empty");
+  if (fs::is_directory(path, error)) return cannot_create(path, "it is a directory");
+  auto output = std::make_unique<Output>();
+  output->path = path;
+  output->target = path == "-" ? path : follow_links(path);
+  for (const auto& other : outputs_)
+    if (other->target == output->target) return cannot_create(path, "it is written already");
+  outputs_.push_back(std::move(output));
+  return stage(*outputs_.back(), write);
+}
+
+Status OutputSet::stage(Output& output, const std::function<void(TextWriter&)>& write) {
+  if (waits_in_memory(output.path)) {
+    TextWriter writer;
+    write(writer);
+    output.text = writer.text();
+    return Ok{};
+  }
+  std::FILE* const stream = open_beside(output.target, output.temporary);
+  if (stream == nullptr) {
+    output.temporary.clear();
+    return cannot_create(output.path, describe(errno));
+  }
+  TextWriter writer(stream);
+  write(writer);
+  writer.flush();
+  const int close_error = std::fclose(stream) == 0 ? 0 : errno;
+  const int failure = writer.failed() ? writer.error() : close_error;
+  if (failure != 0) return cannot_write(output.path, failure);
+  keep_permissions(output.target, output.temporary);
+  return Ok{};
+}
+
+Status OutputSet::make_directory(const std::string& path) {
+  std::error_code error;
+  std::vector<std::string> missing;
+  for (fs::path p = path; !p.empty() && !fs::exists(p, error); p = p.parent_path())
+    missing.push_back(p.string());
+  std::reverse(missing.begin(), missing.end());
+  for (const std::string& directory : missing)
+    if (fs::create_directory(directory, error)) new_directories_.push_back(directory);
+  if (fs::is_directory(path, error)) return Ok{};
+  return cannot_create(path, error ? error.message() : "it is no directory");
+}
+
+bool OutputSet::uses_standard_output() const {
+  return std::any_of(outputs_.begin(), outputs_.end(),
+                     [](const auto& output) { return output->path == "-"; });
+}
+
+Status OutputSet::commit() {
+  for (const auto& output : outputs_) {
+    if (!output->temporary.empty()) continue;
+    if (Status status = write_in_place(output->path, output->text); !status) return status;
+  }
+  for (const auto& output : outputs_) {
+    if (output->temporary.empty()) continue;
+    std::error_code error;
+    fs::rename(output->temporary, output->target, error);
+    if (error) return cannot_create(output->path, error.message());
+    output->temporary.clear();
+  }
+  outputs_.clear();
+  new_directories_.clear();
+  return Ok{};
+}
+
+void OutputSet::discard() {
+  std::error_code error;
+  for (const auto& output : outputs_)
+    if (!output->temporary.empty()) fs::remove(output->temporary, error);
+  for (auto directory = new_directories_.rbegin(); directory != new_directories_.rend();
+       ++directory)
+    fs::remove(*directory, error);  // fails, as it should, where somebody else put a file
+}
+
+}  // namespace wellspaced

@@ -1,0 +1,73 @@
+// A reader of line-oriented text in memory: fields between blanks, comments, exact positions.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "wellspaced/kernel/result.hpp"
+
+namespace wellspaced {
+
+/// Walks through the lines of a text. A comment runs from # to the end of its line; empty lines
+/// are skipped; fields are separated by blanks (space, tab, CR, form feed). A byte order mark and
+/// a missing last newline are legal.
+///
+/// The first failure sticks: from then on next_line() is false and every field reads as 0, so a
+/// parser may read a whole line before it asks ok(). The error names file and line.
+class Scanner {
+ public:
+  /// `file` is the name for messages. Requires: `text` outlives the scanner.
+  Scanner(std::string_view text, std::string file);
+
+  /// Moves to the next line that holds a field. False at the end and after a failure.
+  bool next_line();
+  /// The same, but the end of the text is a failure: `what` was expected.
+  bool require_line(std::string_view what);
+  /// Whether another field follows on the line.
+  bool more();
+  /// How many fields the rest of the line holds.
+  std::size_t count_fields() const;
+
+  /// The next field as a finite number. Fails if there is none; kInvalidGeometry for NaN and
+  /// infinities. `what` names the field in the message.
+  double number(std::string_view what);
+  /// The next field as an integer.
+  std::int64_t integer(std::string_view what);
+  /// The next field as an integer, or `otherwise` if the line ends here.
+  std::int64_t integer_or(std::int64_t otherwise, std::string_view what);
+  /// The next field as a marker: an int.
+  int marker();
+  void skip_fields(std::size_t count);
+
+  /// Fails unless `records` records of at least `fields` fields each can follow in what is left of
+  /// the text: so nobody allocates for a count that the file cannot keep.
+  bool has_room_for(std::uint64_t records, std::uint64_t fields, std::string_view what);
+
+  bool ok() const { return !error_.has_value(); }
+  /// Requires: !ok().
+  const Error& error() const { return *error_; }
+  /// Records a failure at the present line, unless there is one already.
+  void fail(ErrorCode code, std::string_view message);
+
+  const std::string& file() const { return file_; }
+  std::uint64_t line_number() const { return line_number_; }
+
+ private:
+  std::string_view field();
+  std::string_view required_field(std::string_view what);
+  void fail_field(ErrorCode code, std::string_view what, std::string_view token,
+                  std::string_view complaint);
+
+  std::string file_;
+  std::string_view rest_;  // what follows the present line
+  std::string_view line_;  // what is left of the present line
+  std::uint64_t line_number_ = 0;
+  std::optional<Error> error_;
+};
+
+/// `token` for a message: quoted, cut after 24 bytes, unprintable bytes as \xNN.
+std::string in_quotes(std::string_view token);
+
+}  // namespace wellspaced

@@ -1,0 +1,48 @@
+// A buffered writer of text and binary records: numbers shortest and exact, same bytes everywhere.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace wellspaced {
+
+/// The shortest decimal that reads back as the same double: "0.1", "1e+22", "-0".
+std::string shortest(double value);
+
+/// Collects text in memory; where a stream stands behind it, passes it on in large pieces.
+/// The first write error sticks (failed()).
+class TextWriter {
+ public:
+  TextWriter() = default;
+  /// Requires: `stream` stays open as long as the writer is used; the writer does not close it.
+  explicit TextWriter(std::FILE* stream) : stream_(stream) {}
+
+  TextWriter& operator<<(char c) { return *this << std::string_view(&c, 1); }
+  TextWriter& operator<<(const char* text) { return *this << std::string_view(text); }
+  TextWriter& operator<<(std::string_view text);
+  TextWriter& operator<<(double value);
+  template <std::integral T>
+  requires(!std::same_as<T, char> && !std::same_as<T, bool>) TextWriter& operator<<(T value) {
+    return append_integer(static_cast<std::int64_t>(value));
+  }
+
+  /// Passes what is collected on to the stream, if there is one. Returns !failed().
+  bool flush();
+  bool failed() const { return error_ != 0; }
+  /// The errno of the first failure, or 0.
+  int error() const { return error_; }
+  /// What is collected and not passed on.
+  const std::string& text() const { return buffer_; }
+
+ private:
+  TextWriter& append_integer(std::int64_t value);
+
+  std::FILE* stream_ = nullptr;
+  std::string buffer_;
+  int error_ = 0;
+};
+
+}  // namespace wellspaced
