@@ -1,0 +1,62 @@
+#include "wellspaced/kernel/corner_table.hpp"
+
+#include <algorithm>
+
+namespace wellspaced {
+namespace {
+
+using Corner = CornerTable::Corner;
+
+bool has_next(std::span<const Corner> corners, Index node) {
+  return std::any_of(corners.begin(), corners.end(), [=](Corner c) { return c.next == node; });
+}
+
+bool has_previous(std::span<const Corner> corners, Index node) {
+  return std::any_of(corners.begin(), corners.end(), [=](Corner c) { return c.previous == node; });
+}
+
+}  // namespace
+
+bool CornerTable::has_edge(Index v, Index to) const { return has_next(at(v), to); }
+
+Index CornerTable::next_boundary_node(Index u, Index v) const {
+  const std::span<const Corner> fan = at(v);
+  Index turned = u;
+  for (std::size_t step = 0; step < fan.size(); ++step) {
+    const auto corner =
+        std::find_if(fan.begin(), fan.end(), [=](Corner c) { return c.previous == turned; });
+    if (corner == fan.end()) return kNoIndex;
+    turned = corner->next;
+    if (!has_previous(fan, turned)) return turned;
+  }
+  return kNoIndex;
+}
+
+CornerTable corner_table(std::span<const std::array<Index, 3>> triangles, Index nodes) {
+  CornerTable table;
+  table.first.assign(std::size_t{nodes} + 1, 0);
+  for (const auto& t : triangles)
+    for (const Index v : t) ++table.first[v + 1];
+  for (Index v = 0; v < nodes; ++v) table.first[v + 1] += table.first[v];
+
+  table.corners.resize(3 * triangles.size());
+  std::vector<Index> free(table.first.begin(), table.first.end() - 1);
+  for (const auto& [a, b, c] : triangles) {
+    table.corners[free[a]++] = {b, c};
+    table.corners[free[b]++] = {c, a};
+    table.corners[free[c]++] = {a, b};
+  }
+  return table;
+}
+
+std::vector<std::array<Index, 2>> boundary_edges(const CornerTable& table) {
+  std::vector<std::array<Index, 2>> edges;
+  for (Index v = 0; v < table.nodes(); ++v) {
+    const std::span<const Corner> corners = table.at(v);
+    for (const Corner corner : corners)
+      if (!has_previous(corners, corner.next)) edges.push_back({v, corner.next});
+  }
+  return edges;
+}
+
+}  // namespace wellspaced

@@ -1,0 +1,24 @@
+// Sorting items by 64-bit keys without comparisons.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "wellspaced/kernel/mesh.hpp"
+
+namespace wellspaced {
+
+struct KeyedItem {
+  std::uint64_t key = 0;
+  Index item = 0;
+};
+
+/// Sorts by key, equal keys in their given order. Digits that all keys share cost nothing.
+/// Cost: linear; as much memory again.
+void radix_sort(std::vector<KeyedItem>& items);
+
+/// A key that sorts as the number does. Requires: value >= 0 (-0 included), no NaN.
+inline std::uint64_t sort_key(double value) { return std::bit_cast<std::uint64_t>(value + 0.0); }
+
+}  // namespace wellspaced
