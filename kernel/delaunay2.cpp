@@ -143,17 +143,21 @@ void Delaunay2::find_cavity(Edge root, Point2 p, Cavity& cavity) const {
 Result<Delaunay2> Delaunay2::build(std::span<const Point2> points) {
   if (Status status = check_points(points); !status) return status.error();
   Delaunay2 result;
-  std::vector<Index> order = insertion_order(points);
-  result.points_.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) result.points_[i] = points[order[i]];
-  std::vector<Duplicate> duplicates;
-  if (result.start()) {
-    result.insert_in_order(duplicates);
-  } else {
-    duplicates = result.sort_out_duplicates();
-  }
-  result.number_as_input(points, order, duplicates);
+  result.build_from(points, insertion_order(points));
   return result;
+}
+
+// Triangulates points[order[0]], points[order[1]], ...
+void Delaunay2::build_from(std::span<const Point2> points, std::vector<Index> order) {
+  points_.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) points_[i] = points[order[i]];
+  std::vector<Duplicate> duplicates;
+  if (start()) {
+    insert_in_order(duplicates);
+  } else {
+    duplicates = sort_out_duplicates();
+  }
+  number_as_input(points, order, duplicates);
 }
 
 // Makes the first triangle of the first points in general position and swaps them to the front.
@@ -213,21 +217,27 @@ std::vector<Delaunay2::Duplicate> Delaunay2::sort_out_duplicates() const {
 // among its duplicates.
 void Delaunay2::number_as_input(std::span<const Point2> points, std::vector<Index>& order,
                                 const std::vector<Duplicate>& duplicates) {
-  points_ = {};  // before the copy below, so that the two are never in memory together
-  duplicate_count_ = duplicates.size();
+  points_ = {};  // before the copy, so that the two are never in memory together
+  points_.assign(points.begin(), points.end());
   if (!duplicates.empty()) {
     const std::vector<Index> input_number = order;
     for (const auto& [point, vertex] : duplicates)
       order[vertex] = std::min(order[vertex], input_number[point]);
-    representative_.resize(points.size());
     for (const auto& [point, vertex] : duplicates) order[point] = order[vertex];
+    allocate_representatives();
     for (std::size_t i = 0; i < order.size(); ++i) representative_[input_number[i]] = order[i];
+    duplicate_count_ += duplicates.size();
   }
   for (auto& triangle : topology_.triangles_)
     for (Index& v : triangle.vertex)
       if (v != kGhost) v = order[v];
-  points_.assign(points.begin(), points.end());
   index_triangles();
+}
+
+void Delaunay2::allocate_representatives() {
+  if (!representative_.empty()) return;
+  representative_.resize(points_.size());
+  for (Index i = 0; i < representative_.size(); ++i) representative_[i] = i;
 }
 
 void Delaunay2::index_triangles() {
@@ -235,6 +245,11 @@ void Delaunay2::index_triangles() {
   for (Index t = topology_.size(); t-- > 0;)
     for (const Index v : topology_.vertices(t))
       if (v != kGhost) triangle_of_[v] = t;
+}
+
+void Delaunay2::refresh_triangle_of(Index t) {
+  for (const Index v : topology_.vertices(t))
+    if (v != kGhost) triangle_of_[v] = t;
 }
 
 Delaunay2::Edge Delaunay2::edge_from(Index v) const {

@@ -44,11 +44,14 @@ class Delaunay2 {
   /// Whose third corner may be Triangulation2::kGhost. Empty below dimension 2.
   const Triangulation2& topology() const { return topology_; }
 
-  /// The vertex that stands for a point: itself unless it is a duplicate.
+  /// The vertex that stands for a point: itself unless it is a duplicate; kNoIndex if it was a
+  /// vertex and has been removed.
   Index representative(Index point) const {
     return representative_.empty() ? point : representative_[point];
   }
   std::size_t duplicate_count() const { return duplicate_count_; }
+  /// Whether the point is a vertex: no duplicate, and not removed.
+  bool is_vertex(Index point) const { return representative(point) == point; }
 
   /// Where p lies. `hint` is a triangle to start from (any number will do).
   /// Requires: dimension() == 2.
@@ -71,6 +74,24 @@ class Delaunay2 {
   /// restoring the Delaunay property takes O(k^2) flips for k crossed triangles at the worst.
   Result<std::vector<Index>> insert_constraint(Index a, Index b);
 
+  /// Makes the edge no constraint any more. Requires: dimension() == 2.
+  /// Cost: the flips that restore the Delaunay property.
+  void remove_constraint(Edge e);
+
+  /// Adds a point and returns its number, or the number of the vertex that is there already (then
+  /// nothing is added). A point on a constrained edge splits it into two. `hint` is a triangle to
+  /// start from.
+  /// Errors: kInvalidGeometry for a coordinate that is not finite; kLimit beyond 2^28 points.
+  /// Cost: that of locate, and the degree of the new vertex. Below dimension 2: O(n log n).
+  Result<Index> insert(Point2 p, Index hint = 0);
+
+  /// Removes a vertex. Its point keeps its number but is no vertex any more; nor are the points
+  /// that it stood for.
+  /// Errors: kInvalidGeometry if v is no vertex, or ends a constrained edge (ids: v and the other
+  /// end); then nothing is changed.
+  /// Cost: typically the degree of v, at worst its square. Below dimension 2: O(n log n).
+  Status remove(Index v);
+
  private:
   // A point that is no vertex, and the vertex that stands for it.
   struct Duplicate {
@@ -83,12 +104,15 @@ class Delaunay2 {
     std::vector<std::uint32_t> stack;
   };
 
+  void build_from(std::span<const Point2> points, std::vector<Index> order);
   bool start();
   void insert_in_order(std::vector<Duplicate>& duplicates);
   std::vector<Duplicate> sort_out_duplicates() const;
   void number_as_input(std::span<const Point2> points, std::vector<Index>& order,
                        const std::vector<Duplicate>& duplicates);
+  void allocate_representatives();
   void index_triangles();
+  void refresh_triangle_of(Index t);
 
   int turn(Index a, Index b, Index c) const;
   int side_of_edge(Edge e, Point2 p) const;
@@ -101,14 +125,23 @@ class Delaunay2 {
   Index trace_to_vertex(Index a, Index b, std::vector<Edge>& crossed) const;
   void force_edge(Index a, Index b, std::vector<Edge>& crossed);
   Edge triangulate_side(std::span<const Edge> rim, Index end, Index first_new);
-  void refresh_triangle_of(Index t);
   bool is_locally_delaunay(Edge e) const;
   void restore_delaunay(std::span<const Index> triangles);
+
+  Result<Index> insert_below_dimension_2(Point2 p);
+  Index append_point(Point2 p);
+  void insert_at(Index v, const Location& location);
+  void rebuild();
+  Edge constrained_edge_from(Index v) const;
+  bool is_ear(Edge e, std::size_t degree) const;
+  Edge flip_away(Edge e, std::vector<Index>& cut);
+  void remove_from_triangles(Index v);
+  void close_star(Edge e, std::vector<Index>& cut);
 
   int dimension_ = -1;
   std::size_t duplicate_count_ = 0;
   std::vector<Point2> points_;
-  std::vector<Index> representative_;  // empty: no duplicates
+  std::vector<Index> representative_;  // empty: every point is a vertex
   std::vector<Index> triangle_of_;     // for each vertex a triangle that has it as a corner
   Triangulation2 topology_;
 };

@@ -1,5 +1,6 @@
 // Constrained edges: inserting a segment into Delaunay2.
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <string>
 
@@ -146,9 +147,9 @@ Delaunay2::Edge Delaunay2::triangulate_side(std::span<const Edge> rim, Index end
   return stack.front().edge;
 }
 
-void Delaunay2::refresh_triangle_of(Index t) {
-  for (const Index v : topology_.vertices(t))
-    if (v != Triangulation2::kGhost) triangle_of_[v] = t;
+void Delaunay2::remove_constraint(Edge e) {
+  topology_.set_constrained(e, false);
+  restore_delaunay(std::array{e.triangle});
 }
 
 bool Delaunay2::is_locally_delaunay(Edge e) const {

@@ -1,5 +1,7 @@
 #include "wellspaced/kernel/triangulation2.hpp"
 
+#include <algorithm>
+
 namespace wellspaced {
 
 void Triangulation2::reset(Index a, Index b, Index c) {
@@ -62,14 +64,51 @@ void Triangulation2::link(Edge e, Edge f, bool constrained) {
   triangles_[f.triangle].link[f.i] = pack(e.triangle, e.i) | flag;
 }
 
+void Triangulation2::move(Index from, Index to) {
+  triangles_[to].vertex = triangles_[from].vertex;
+  for (unsigned i = 0; i < 3; ++i) link({to, i}, mirror({from, i}), is_constrained({from, i}));
+}
+
 void Triangulation2::move_into(std::span<const Index> slots) {
   const Index kept = size() - static_cast<Index>(slots.size());
-  for (std::size_t k = 0; k < slots.size(); ++k) {
-    const Index from = kept + static_cast<Index>(k), to = slots[k];
-    triangles_[to].vertex = triangles_[from].vertex;
-    for (unsigned i = 0; i < 3; ++i) link({to, i}, mirror({from, i}), is_constrained({from, i}));
-  }
+  for (std::size_t k = 0; k < slots.size(); ++k) move(kept + static_cast<Index>(k), slots[k]);
   triangles_.resize(kept);
+}
+
+std::size_t Triangulation2::degree(Edge e) const {
+  std::size_t degree = 0;
+  Edge f = e;
+  do {
+    ++degree;
+    f = next_around_origin(f);
+  } while (f != e);
+  return degree;
+}
+
+Index Triangulation2::merge_star(Edge e, std::vector<std::pair<Index, Index>>& moved) {
+  std::array<Index, 3> slots, corners;
+  std::array<std::uint32_t, 3> outside;
+  for (unsigned k = 0; k < 3; ++k, e = next_around_origin(e)) {
+    slots[k] = e.triangle;
+    corners[k] = destination(e);
+    outside[previous(k)] = triangles_[e.triangle].link[next(e.i)];
+  }
+  std::sort(slots.begin(), slots.end());
+  const Index t = slots[0];
+  triangles_[t].vertex = corners;
+  for (unsigned k = 0; k < 3; ++k) {
+    const std::uint32_t o = outside[k];
+    link({t, k}, {o >> 3, o & 3}, (o & kConstrained) != 0);
+  }
+  for (unsigned k = 2; k > 0; --k) {
+    const Index last = size() - 1;
+    if (slots[k] != last) {
+      move(last, slots[k]);
+      moved.emplace_back(last, slots[k]);
+    }
+    triangles_.pop_back();
+  }
+  return t;
 }
 
 void Triangulation2::set_constrained(Edge e, bool constrained) {

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
@@ -100,6 +101,15 @@ class Triangulation2 {
   /// Requires: e is not constrained.
   void flip(Edge e);
 
+  /// The number of edges at the origin of e, ghosts included.
+  std::size_t degree(Edge e) const;
+
+  /// Replaces the three triangles around the origin of e by the one that they cover, in the first
+  /// of their slots; the last triangles move into the other two. `moved` receives where from and
+  /// where to.
+  /// Requires: degree(e) == 3.
+  Index merge_star(Edge e, std::vector<std::pair<Index, Index>>& moved);
+
   /// Appends triangle (a, b, c), still unlinked, and returns its number.
   Index add(Index a, Index b, Index c);
 
@@ -122,6 +132,8 @@ class Triangulation2 {
   };
 
   static constexpr std::uint32_t kConstrained = 4;
+  void move(Index from, Index to);
+
   static constexpr std::uint32_t pack(Index t, unsigned i) { return t << 3 | i; }
 
   std::vector<Triangle> triangles_;
