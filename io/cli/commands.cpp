@@ -5,10 +5,11 @@
 namespace wellspaced::cli {
 
 // To add a command: declare it here, list it below, define it in a file of its own.
+extern const Command kPredicate;
 
 namespace {
 
-constexpr std::array<const Command*, 0> kCommands = {};
+constexpr std::array kCommands = {&kPredicate};
 
 }  // namespace
 
