@@ -64,6 +64,12 @@ class Delaunay2 {
   /// Cost: the degree of a.
   Edge find_edge(Index a, Index b) const;
 
+  /// Walks along the segment from vertex a towards vertex b up to the first vertex on it, which is
+  /// returned. `crossed` receives the edges on the way, constrained or not, each with a's side on
+  /// its left; it stays empty if there is an edge along the segment.
+  /// Requires: a != b, both vertices. Cost: the degree of a and the triangles crossed.
+  Index walk_to_next_vertex(Index a, Index b, std::vector<Edge>& crossed) const;
+
   /// Makes the segment from a to b part of the triangulation. Vertices that lie on it split it.
   /// Returns the vertices along it, a first. Duplicates are replaced by their vertex; a segment
   /// whose ends coincide changes nothing and returns that one vertex.
@@ -122,7 +128,6 @@ class Delaunay2 {
   void find_cavity(Edge root, Point2 p, Cavity& cavity) const;
 
   Edge first_step(Index a, Index b) const;
-  Index trace_to_vertex(Index a, Index b, std::vector<Edge>& crossed) const;
   void force_edge(Index a, Index b, std::vector<Edge>& crossed);
   Edge triangulate_side(std::span<const Edge> rim, Index end, Index first_new);
   bool is_locally_delaunay(Edge e) const;

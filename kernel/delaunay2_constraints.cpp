@@ -37,10 +37,7 @@ Delaunay2::Edge Delaunay2::first_step(Index a, Index b) const {
   return {};
 }
 
-// Follows the segment from vertex a towards vertex b up to the first vertex on it, which is
-// returned. `crossed` receives the edges on the way, each with a's side on its left; it stays
-// empty if there is an edge along the segment.
-Index Delaunay2::trace_to_vertex(Index a, Index b, std::vector<Edge>& crossed) const {
+Index Delaunay2::walk_to_next_vertex(Index a, Index b, std::vector<Edge>& crossed) const {
   crossed.clear();
   Edge e = first_step(a, b);
   if (topology_.origin(e) == a) return topology_.destination(e);
@@ -61,7 +58,7 @@ Result<std::vector<Index>> Delaunay2::insert_constraint(Index a, Index b) {
   std::vector<Index> path{a};
   std::vector<Edge> crossed;
   while (path.back() != b) {
-    const Index v = trace_to_vertex(path.back(), b, crossed);
+    const Index v = walk_to_next_vertex(path.back(), b, crossed);
     for (const Edge e : crossed)
       if (topology_.is_constrained(e)) {
         const Index c = topology_.origin(e), d = topology_.destination(e);
@@ -78,7 +75,7 @@ Result<std::vector<Index>> Delaunay2::insert_constraint(Index a, Index b) {
 
 // Makes the edge between two vertices, which no vertex and no constrained edge keeps apart.
 void Delaunay2::force_edge(Index a, Index b, std::vector<Edge>& crossed) {
-  trace_to_vertex(a, b, crossed);
+  walk_to_next_vertex(a, b, crossed);
   if (crossed.empty()) {
     topology_.set_constrained(find_edge(a, b), true);
     return;
