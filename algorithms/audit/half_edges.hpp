@@ -1,0 +1,60 @@
+// Who shares an edge with whom: found by sorting, with everything that is wrong about the edges.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "wellspaced/kernel/mesh.hpp"
+
+namespace wellspaced::audit {
+
+/// The half-edges of a triangle mesh. Half-edge 3t + i runs from corner i of triangle t to its
+/// corner i + 1, with the triangle on its left if that is counter-clockwise.
+///
+/// twin: the half-edge in the opposite direction, where exactly these two lie on the edge; else
+///   kNoIndex: a boundary edge, or one that is crowded or disagreeing.
+/// constrained: 1 where a segment lies on the edge.
+/// segment_edge: for each segment a half-edge that it lies on, kNoIndex if it is no mesh edge.
+/// edges: the number of edges.
+struct HalfEdges {
+  std::vector<Index> twin;
+  std::vector<std::uint8_t> constrained;
+  std::vector<Index> segment_edge;
+  std::uint64_t edges = 0;
+
+  std::vector<Index> crowded_edges;        ///< pairs of nodes: more than two triangles
+  std::vector<Index> disagreeing_edges;    ///< pairs of nodes: two triangles, same direction
+  std::vector<Index> duplicate_triangles;  ///< triangles with the nodes of an earlier one
+  std::vector<Index> duplicate_segments;   ///< segments with the nodes of an earlier one
+
+  static constexpr Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static constexpr Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+  /// The next half-edge counter-clockwise that leaves the same node, or kNoIndex.
+  Index turn_left(Index h) const { return twin[previous(h)]; }
+  /// The next one clockwise, or kNoIndex.
+  Index turn_right(Index h) const { return twin[h] == kNoIndex ? kNoIndex : next(twin[h]); }
+};
+
+/// The nodes that a half-edge leaves and reaches.
+inline Index origin(std::span<const std::array<Index, 3>> triangles, Index h) {
+  return triangles[h / 3][h % 3];
+}
+inline Index target(std::span<const std::array<Index, 3>> triangles, Index h) {
+  return triangles[h / 3][HalfEdges::next(h) % 3];
+}
+/// The corner that is not on the half-edge.
+inline Index apex(std::span<const std::array<Index, 3>> triangles, Index h) {
+  return triangles[h / 3][HalfEdges::previous(h) % 3];
+}
+
+/// Pairs up the half-edges of a mesh.
+/// Requires: indices in range, three distinct corners in every triangle, two distinct ends in every
+/// segment, 3 * triangles + segments < 2^32.
+/// Cost: linear for bounded degrees, O(n log n) always; 60 bytes a triangle.
+HalfEdges pair_half_edges(std::span<const std::array<Index, 3>> triangles,
+                          std::span<const Segment> segments, Index nodes);
+
+}  // namespace wellspaced::audit

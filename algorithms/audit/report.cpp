@@ -1,0 +1,79 @@
+#include "wellspaced/algorithms/audit/report.hpp"
+
+#include <algorithm>
+
+namespace wellspaced::audit {
+namespace {
+
+template <class Named>
+const Named* find(const std::vector<Named>& all, std::string_view name) {
+  for (const Named& one : all)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+}  // namespace
+
+unsigned ids_per(Item item) {
+  switch (item) {
+    case Item::kNone:
+      return 0;
+    case Item::kEdge:
+    case Item::kTrianglePair:
+    case Item::kTetPair:
+      return 2;
+    case Item::kFace:
+      return 3;
+    default:
+      return 1;
+  }
+}
+
+std::string_view name_of(Item item) {
+  switch (item) {
+    case Item::kNone:
+      return "nothing";
+    case Item::kNode:
+      return "node";
+    case Item::kEdge:
+      return "edge";
+    case Item::kSegment:
+      return "segment";
+    case Item::kTriangle:
+      return "triangle";
+    case Item::kTrianglePair:
+      return "triangle pair";
+    case Item::kFace:
+      return "face";
+    case Item::kFacet:
+      return "facet";
+    case Item::kTet:
+      return "tet";
+    case Item::kTetPair:
+      return "tet pair";
+    case Item::kDomainPoint:
+      return "domain point";
+    case Item::kDomainSegment:
+      return "domain segment";
+  }
+  return "nothing";
+}
+
+bool Report::pass() const {
+  return std::all_of(checks.begin(), checks.end(),
+                     [](const Check& check) { return check.pass() || !check.required; });
+}
+
+const Check* Report::check(std::string_view name) const { return find(checks, name); }
+
+const Measure* Report::measure(std::string_view name) const { return find(measures, name); }
+
+Check& Report::add_check(std::string_view name, Item item, bool required) {
+  Check& check = checks.emplace_back();
+  check.name = name;
+  check.item = item;
+  check.required = required;
+  return check;
+}
+
+}  // namespace wellspaced::audit

@@ -1,0 +1,97 @@
+// What an auditor found: named checks with the offending items, named measures, histograms.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wellspaced/kernel/mesh.hpp"
+
+namespace wellspaced::audit {
+
+/// What the ids of a check number. All are 0-based, in the caller's numbering.
+enum class Item {
+  kNone,
+  kNode,
+  kEdge,          ///< two nodes
+  kSegment,       ///< a segment of the mesh
+  kTriangle,      ///< a triangle
+  kTrianglePair,  ///< two triangles
+  kFace,          ///< three nodes
+  kFacet,         ///< a facet of the mesh or of the domain
+  kTet,           ///< a tetrahedron
+  kTetPair,       ///< two tetrahedra
+  kDomainPoint,   ///< a point of the domain
+  kDomainSegment  ///< a segment of the domain
+};
+
+/// The ids that one item takes.
+unsigned ids_per(Item item);
+
+/// The word for one such item in reports: "node", "edge", ...
+std::string_view name_of(Item item);
+
+/// One check. It passes if there is no violation.
+struct Check {
+  std::string name;              ///< stable, snake_case
+  bool required = false;         ///< whether the verdict depends on it
+  std::uint64_t violations = 0;  ///< may exceed the items listed, where listing all costs too much
+  Item item = Item::kNone;
+  std::vector<Index> ids;       ///< ids_per(item) for each violation that is listed
+  std::optional<double> value;  ///< the figure judged, where there is one
+  std::optional<Index> level;   ///< the level of the hierarchy it speaks of
+
+  bool pass() const { return violations == 0; }
+  /// Counts one violation and lists its ids.
+  void violate(std::initializer_list<Index> which) {
+    ++violations;
+    ids.insert(ids.end(), which);
+  }
+};
+
+/// A number that is neither right nor wrong.
+struct Measure {
+  std::string name;
+  double value = 0;
+  std::optional<Index> level;
+};
+
+/// counts[i] items lie in [bounds[i], bounds[i+1]); the last interval is closed.
+struct Histogram {
+  std::string name;
+  std::vector<double> bounds;
+  std::vector<std::uint64_t> counts;
+};
+
+/// The worst items by some measure, the worst first; at most ten.
+struct Worst {
+  std::string measure;
+  Item item = Item::kNone;
+  std::vector<Index> ids;
+  std::vector<double> values;
+};
+
+/// All that was found, in the order in which it was looked for.
+struct Report {
+  std::vector<Check> checks;
+  std::vector<Measure> measures;
+  std::vector<Histogram> histograms;
+  std::vector<Worst> worst;
+
+  /// The verdict: every required check passes.
+  bool pass() const;
+  /// The first check, or measure, of this name; null if there is none.
+  const Check* check(std::string_view name) const;
+  const Measure* measure(std::string_view name) const;
+
+  /// Appends an empty check. The reference dies with the next one appended.
+  Check& add_check(std::string_view name, Item item, bool required);
+  void add_measure(std::string_view name, double value) {
+    measures.push_back({std::string(name), value, std::nullopt});
+  }
+};
+
+}  // namespace wellspaced::audit

@@ -1,0 +1,246 @@
+#include "wellspaced/algorithms/audit/shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "wellspaced/algorithms/audit/worst_list.hpp"
+#include "wellspaced/kernel/angle.hpp"
+#include "wellspaced/kernel/elementary.hpp"
+
+namespace wellspaced::audit {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The cotangents of 10, 20, ..., 170 degrees.
+constexpr std::array<double, 17> kCotangents = {5.671281819617709530994418439864,
+                                                2.747477419454622278761640264977,
+                                                1.732050807568877293527446341506,
+                                                1.191753592594209958705308071747,
+                                                0.8390996311772800117631272981231,
+                                                0.5773502691896257645091487805020,
+                                                0.3639702342662023613510478827768,
+                                                0.1763269807084649734710903868687,
+                                                0,
+                                                -0.1763269807084649734710903868687,
+                                                -0.3639702342662023613510478827768,
+                                                -0.5773502691896257645091487805020,
+                                                -0.8390996311772800117631272981231,
+                                                -1.191753592594209958705308071747,
+                                                -1.732050807568877293527446341506,
+                                                -2.747477419454622278761640264977,
+                                                -5.671281819617709530994418439864};
+
+constexpr std::array<double, 11> kAspectBounds = {2,  2.5, 3,   4,    6,        10,
+                                                  20, 50,  100, 1000, kInfinity};
+
+// A quotient of a positive number and one that may vanish.
+double ratio(double a, double b) { return b > 0 ? a / b : kInfinity; }
+
+// What all measures are made of: scalar products at the corners, squared edges in ascending order
+// and twice the area.
+struct Figures {
+  double max_product, min_product, middle_product;
+  double short_sq, middle_sq, long_sq;
+  double twice_area;
+
+  Figures(Point2 a, Point2 b, Point2 c) {
+    const double abx = b.x - a.x, aby = b.y - a.y, acx = c.x - a.x, acy = c.y - a.y;
+    const double bcx = c.x - b.x, bcy = c.y - b.y;
+    twice_area = std::fabs(abx * acy - aby * acx);
+    std::array<double, 3> products{abx * acx + aby * acy, -(abx * bcx + aby * bcy),
+                                   acx * bcx + acy * bcy};
+    std::array<double, 3> squares{abx * abx + aby * aby, acx * acx + acy * acy,
+                                  bcx * bcx + bcy * bcy};
+    sort3(products);
+    sort3(squares);
+    min_product = products[0], middle_product = products[1], max_product = products[2];
+    short_sq = squares[0], middle_sq = squares[1], long_sq = squares[2];
+  }
+
+  static void sort3(std::array<double, 3>& v) {
+    if (v[1] < v[0]) std::swap(v[0], v[1]);
+    if (v[2] < v[1]) std::swap(v[1], v[2]);
+    if (v[1] < v[0]) std::swap(v[0], v[1]);
+  }
+
+  double cotangent(double product) const {
+    return twice_area > 0 ? product / twice_area : std::copysign(kInfinity, product);
+  }
+  double perimeter() const {
+    return std::sqrt(short_sq) + std::sqrt(middle_sq) + std::sqrt(long_sq);
+  }
+  double circumradius() const {
+    return ratio(std::sqrt(short_sq) * std::sqrt(middle_sq) * std::sqrt(long_sq), 2 * twice_area);
+  }
+  // The smallest disc around an obtuse triangle has the longest edge for a diameter.
+  double containing_radius(double circumradius) const {
+    return min_product <= 0 ? std::sqrt(long_sq) / 2 : circumradius;
+  }
+  double inradius() const { return twice_area / perimeter(); }
+  double radius_edge_sq() const { return ratio(middle_sq * long_sq, 4 * twice_area * twice_area); }
+  double edge_to_height() const { return ratio(long_sq, twice_area); }
+};
+
+// A power of two that brings the coordinates near 1 where their squares might overflow or vanish.
+double scale_of(std::span<const Point2> points) {
+  double largest = 0;
+  for (const Point2 p : points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  if (largest == 0 || (largest > 0x1p-100 && largest < 0x1p100)) return 1;
+  return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+}
+
+Point2 scaled(Point2 p, double scale) { return {p.x * scale, p.y * scale}; }
+
+class Shapes {
+ public:
+  explicit Shapes(const TriangleMesh& mesh) : mesh_(mesh), scale_(scale_of(mesh.points)) {
+    angles_.name = "angle";
+    for (int degrees = 0; degrees <= 180; degrees += 10) angles_.bounds.push_back(degrees);
+    angles_.counts.assign(18, 0);
+    aspects_.name = "aspect_ratio";
+    aspects_.bounds.assign(kAspectBounds.begin(), kAspectBounds.end());
+    aspects_.counts.assign(kAspectBounds.size() - 1, 0);
+    for (Index t = 0; t < mesh.triangles.size(); ++t) add(t);
+  }
+
+  void report_to(Report& report) const {
+    if (mesh_.triangles.empty()) return;
+    const double count = static_cast<double>(mesh_.triangles.size());
+    report.add_measure("min_angle", arccotangent_deg(min_angle_.worst_key()));
+    report.add_measure("max_angle", arccotangent_deg(-max_angle_.worst_key()));
+    report.add_measure("mean_min_angle", sum_min_angle_ / count);
+    report.add_measure("triangles_le_10", static_cast<double>(triangles_le_10_));
+    report.add_measure("triangles_le_20", static_cast<double>(triangles_le_20_));
+    report.add_measure("aspect_ratio", aspect_.worst_key());
+    report.add_measure("circumradius_to_inradius", circumradius_to_inradius_);
+    report.add_measure("radius_edge", std::sqrt(radius_edge_.worst_key()));
+    report.add_measure("edge_to_height", edge_to_height_);
+    report_sizes(report);
+    report.histograms.push_back(angles_);
+    report.histograms.push_back(aspects_);
+    report_worst(report);
+  }
+
+ private:
+  void add(Index t) {
+    const auto& [i, j, k] = mesh_.triangles[t];
+    const Figures f(scaled(mesh_.points[i], scale_), scaled(mesh_.points[j], scale_),
+                    scaled(mesh_.points[k], scale_));
+    const double largest_cotangent = f.cotangent(f.max_product);
+    min_angle_.offer(t, largest_cotangent);
+    max_angle_.offer(t, -f.cotangent(f.min_product));
+    radius_edge_.offer(t, f.radius_edge_sq());
+    edge_to_height_ = std::max(edge_to_height_, f.edge_to_height());
+    shortest_sq_ = std::min(shortest_sq_, f.short_sq);
+    longest_sq_ = std::max(longest_sq_, f.long_sq);
+    twice_area_ += f.twice_area;
+    sum_min_angle_ += arccotangent_deg(largest_cotangent);
+    triangles_le_10_ += largest_cotangent >= kCotangents[0];
+    triangles_le_20_ += largest_cotangent >= kCotangents[1];
+    for (const double product : {f.min_product, f.middle_product, f.max_product})
+      add_angle(f.cotangent(product));
+    add_ratios(t, f);
+  }
+
+  // Counting all bounds below is faster than searching: it needs no branch.
+  void add_angle(double cotangent) {
+    std::size_t bin = 0;
+    for (const double bound : kCotangents) bin += cotangent <= bound;
+    ++angles_.counts[bin];
+  }
+
+  void add_ratios(Index t, const Figures& f) {
+    const double circumradius = f.circumradius(), inradius = f.inradius();
+    const double aspect = ratio(f.containing_radius(circumradius), inradius);
+    aspect_.offer(t, aspect);
+    circumradius_to_inradius_ = std::max(circumradius_to_inradius_, ratio(circumradius, inradius));
+    std::size_t bin = 0;
+    for (std::size_t i = 1; i + 1 < kAspectBounds.size(); ++i) bin += aspect >= kAspectBounds[i];
+    ++aspects_.counts[bin];
+  }
+
+  void report_sizes(Report& report) const {
+    const double gradation =
+        binary_logarithm(ratio(std::sqrt(longest_sq_), std::sqrt(shortest_sq_)));
+    report.add_measure("shortest_edge", std::sqrt(shortest_sq_) / scale_);
+    report.add_measure("longest_edge", std::sqrt(longest_sq_) / scale_);
+    report.add_measure("gradation", gradation);
+    report.add_measure("triangles_per_scale",
+                       ratio(static_cast<double>(mesh_.triangles.size()), gradation));
+    report.add_measure("area", twice_area_ / 2 / scale_ / scale_);
+  }
+
+  void report_worst(Report& report) const {
+    const auto angle = [](double cotangent) { return arccotangent_deg(cotangent); };
+    report.worst.push_back(min_angle_.list("min_angle", angle));
+    report.worst.push_back(max_angle_.list("max_angle", [&](double key) { return angle(-key); }));
+    report.worst.push_back(aspect_.list("aspect_ratio", [](double key) { return key; }));
+    report.worst.push_back(
+        radius_edge_.list("radius_edge", [](double key) { return std::sqrt(key); }));
+  }
+
+  const TriangleMesh& mesh_;
+  double scale_;
+  WorstList min_angle_, max_angle_, aspect_, radius_edge_;
+  double circumradius_to_inradius_ = 0, edge_to_height_ = 0, sum_min_angle_ = 0;
+  double shortest_sq_ = kInfinity, longest_sq_ = 0, twice_area_ = 0;
+  std::uint64_t triangles_le_10_ = 0, triangles_le_20_ = 0;
+  Histogram angles_, aspects_;
+};
+
+double boundary_length(const TriangleMesh& mesh, const HalfEdges& half_edges) {
+  const double scale = scale_of(mesh.points);
+  double length = 0;
+  for (Index h = 0; h < half_edges.twin.size(); ++h) {
+    if (half_edges.twin[h] != kNoIndex) continue;
+    const Point2 p = scaled(mesh.points[origin(mesh.triangles, h)], scale);
+    const Point2 q = scaled(mesh.points[target(mesh.triangles, h)], scale);
+    length += std::sqrt((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y));
+  }
+  return length / scale;
+}
+
+}  // namespace
+
+TriangleShape triangle_shape(Point2 a, Point2 b, Point2 c) {
+  const std::array<Point2, 3> corners{a, b, c};
+  const double scale = scale_of(corners);
+  const Figures f(scaled(a, scale), scaled(b, scale), scaled(c, scale));
+  const double circumradius = f.circumradius();
+  TriangleShape shape;
+  shape.min_angle = arccotangent_deg(f.cotangent(f.max_product));
+  shape.max_angle = arccotangent_deg(f.cotangent(f.min_product));
+  shape.aspect_ratio = ratio(f.containing_radius(circumradius), f.inradius());
+  shape.circumradius_to_inradius = ratio(circumradius, f.inradius());
+  shape.radius_edge = std::sqrt(f.radius_edge_sq());
+  shape.edge_to_height = f.edge_to_height();
+  shape.area = f.twice_area / 2 / scale / scale;
+  shape.shortest_edge = std::sqrt(f.short_sq) / scale;
+  shape.longest_edge = std::sqrt(f.long_sq) / scale;
+  return shape;
+}
+
+std::optional<double> shape_value(const TriangleShape& shape, std::string_view name) {
+  const std::pair<std::string_view, double> values[] = {
+      {"min_angle", shape.min_angle},
+      {"max_angle", shape.max_angle},
+      {"aspect_ratio", shape.aspect_ratio},
+      {"circumradius_to_inradius", shape.circumradius_to_inradius},
+      {"radius_edge", shape.radius_edge},
+      {"edge_to_height", shape.edge_to_height},
+      {"shortest_edge", shape.shortest_edge},
+      {"longest_edge", shape.longest_edge}};
+  for (const auto& [key, value] : values)
+    if (key == name) return value;
+  return std::nullopt;
+}
+
+void audit_shape(const TriangleMesh& mesh, const HalfEdges& half_edges, Report& report) {
+  Shapes(mesh).report_to(report);
+  report.add_measure("perimeter", boundary_length(mesh, half_edges));
+}
+
+}  // namespace wellspaced::audit

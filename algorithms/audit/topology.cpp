@@ -1,0 +1,202 @@
+#include "wellspaced/algorithms/audit/topology.hpp"
+
+#include <cmath>
+
+namespace wellspaced::audit {
+namespace {
+
+bool in_range(const std::array<Index, 3>& t, std::size_t nodes) {
+  return t[0] < nodes && t[1] < nodes && t[2] < nodes;
+}
+
+bool distinct(const std::array<Index, 3>& t) {
+  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+bool valid(const Segment& s, std::size_t nodes) { return s.a < nodes && s.b < nodes && s.a != s.b; }
+
+// A check on the items 0 .. count - 1.
+template <class Good>
+bool check_each(Report& report, std::string_view name, Item item, std::size_t count, Good good) {
+  Check& check = report.add_check(name, item, true);
+  for (Index i = 0; i < count; ++i)
+    if (!good(i)) check.violate({i});
+  return check.pass();
+}
+
+bool audit_node_data(const TriangleMesh& mesh, Report& report) {
+  Check& check = report.add_check("valid_node_data", Item::kNode, true);
+  if (!mesh.point_markers.empty() && mesh.point_markers.size() != mesh.points.size())
+    ++check.violations;
+  for (const Index v : mesh.fixed)
+    if (v >= mesh.points.size()) check.violate({v});
+  return check.pass();
+}
+
+// Marks the fan of triangles around the origin of `h`, which is not marked yet.
+void mark_fan(const HalfEdges& half_edges, Index h, std::vector<std::uint8_t>& marked) {
+  Index first = h;
+  for (Index g = half_edges.turn_right(h); g != kNoIndex && g != h; g = half_edges.turn_right(g))
+    first = g;
+  for (Index g = first; g != kNoIndex && marked[g] == 0; g = half_edges.turn_left(g)) marked[g] = 1;
+}
+
+// For each node the number of fans that its triangles form, at most 255.
+std::vector<std::uint8_t> count_fans(const TriangleMesh& mesh, const HalfEdges& half_edges,
+                                     std::uint64_t& total) {
+  std::vector<std::uint8_t> fans(mesh.points.size(), 0), marked(half_edges.twin.size(), 0);
+  total = 0;
+  for (Index h = 0; h < marked.size(); ++h) {
+    if (marked[h] != 0) continue;
+    mark_fan(half_edges, h, marked);
+    std::uint8_t& count = fans[origin(mesh.triangles, h)];
+    if (count < 255) ++count;
+    ++total;
+  }
+  return fans;
+}
+
+// The boundary half-edge that follows boundary half-edge h along the rim of its fan.
+Index next_on_boundary(const HalfEdges& half_edges, Index h) {
+  Index g = HalfEdges::next(h);
+  while (half_edges.twin[g] != kNoIndex) g = half_edges.turn_right(g);
+  return g;
+}
+
+std::uint64_t count_boundary_loops(const HalfEdges& half_edges) {
+  std::vector<std::uint8_t> marked(half_edges.twin.size(), 0);
+  std::uint64_t loops = 0;
+  for (Index h = 0; h < marked.size(); ++h) {
+    if (half_edges.twin[h] != kNoIndex || marked[h] != 0) continue;
+    ++loops;
+    for (Index g = h; marked[g] == 0; g = next_on_boundary(half_edges, g)) marked[g] = 1;
+  }
+  return loops;
+}
+
+void flood(const HalfEdges& half_edges, Index seed, std::vector<std::uint8_t>& marked,
+           std::vector<Index>& stack) {
+  marked[seed] = 1;
+  stack.push_back(seed);
+  while (!stack.empty()) {
+    const Index t = stack.back();
+    stack.pop_back();
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      const Index twin = half_edges.twin[h];
+      if (twin == kNoIndex || marked[twin / 3] != 0) continue;
+      marked[twin / 3] = 1;
+      stack.push_back(twin / 3);
+    }
+  }
+}
+
+std::uint64_t count_components(const HalfEdges& half_edges) {
+  std::vector<std::uint8_t> marked(half_edges.twin.size() / 3, 0);
+  std::vector<Index> stack;
+  std::uint64_t components = 0;
+  for (Index t = 0; t < marked.size(); ++t) {
+    if (marked[t] != 0) continue;
+    ++components;
+    flood(half_edges, t, marked, stack);
+  }
+  return components;
+}
+
+std::uint64_t count_boundary_edges(const HalfEdges& half_edges) {
+  std::uint64_t count = 0;
+  for (const Index twin : half_edges.twin) count += twin == kNoIndex;
+  return count;
+}
+
+void list(Report& report, std::string_view name, Item item, const std::vector<Index>& ids) {
+  Check& check = report.add_check(name, item, true);
+  check.violations = ids.size() / ids_per(item);
+  check.ids = ids;
+}
+
+void audit_nodes(const std::vector<std::uint8_t>& fans, Report& report) {
+  Check& manifold = report.add_check("manifold_nodes", Item::kNode, false);
+  for (Index v = 0; v < fans.size(); ++v)
+    if (fans[v] > 1) manifold.violate({v});
+  Check& unused = report.add_check("no_unused_node", Item::kNode, false);
+  for (Index v = 0; v < fans.size(); ++v)
+    if (fans[v] == 0) unused.violate({v});
+}
+
+void audit_segments(const TriangleMesh& mesh, const HalfEdges& half_edges, Report& report) {
+  list(report, "no_duplicate_segment", Item::kSegment, half_edges.duplicate_segments);
+  Check& edges = report.add_check("segments_are_edges", Item::kSegment, true);
+  for (Index s = 0; s < mesh.segments.size(); ++s)
+    if (half_edges.segment_edge[s] == kNoIndex) edges.violate({s});
+  if (mesh.segments.empty()) return;
+  Check& boundary = report.add_check("boundary_has_segments", Item::kEdge, false);
+  for (Index h = 0; h < half_edges.twin.size(); ++h)
+    if (half_edges.twin[h] == kNoIndex && half_edges.constrained[h] == 0)
+      boundary.violate({origin(mesh.triangles, h), target(mesh.triangles, h)});
+}
+
+struct Counts {
+  std::uint64_t nodes = 0, fans = 0, boundary_edges = 0, components = 0, loops = 0;
+};
+
+void audit_euler(const TriangleMesh& mesh, const HalfEdges& half_edges, const Counts& counts,
+                 Report& report) {
+  const auto faces = static_cast<std::int64_t>(mesh.triangles.size());
+  const auto sides = 3 * faces, rims = static_cast<std::int64_t>(counts.boundary_edges);
+  const auto characteristic = static_cast<std::int64_t>(counts.fans) - (sides + rims) / 2 + faces;
+  const auto expected = static_cast<std::int64_t>(2 * counts.components - counts.loops);
+  Check& check = report.add_check("euler", Item::kNone, true);
+  check.violations = static_cast<std::uint64_t>(std::abs(expected - characteristic)) / 2;
+  check.value = static_cast<double>(characteristic);
+  report.add_measure("euler_characteristic", static_cast<double>(counts.nodes) -
+                                                 static_cast<double>(half_edges.edges) +
+                                                 static_cast<double>(faces));
+}
+
+void add_measures(const TriangleMesh& mesh, const HalfEdges& half_edges, const Counts& counts,
+                  Report& report) {
+  report.add_measure("nodes", static_cast<double>(mesh.points.size()));
+  report.add_measure("triangles", static_cast<double>(mesh.triangles.size()));
+  report.add_measure("edges", static_cast<double>(half_edges.edges));
+  report.add_measure("segments", static_cast<double>(mesh.segments.size()));
+  report.add_measure("boundary_edges", static_cast<double>(counts.boundary_edges));
+  report.add_measure("components", static_cast<double>(counts.components));
+  report.add_measure("boundary_loops", static_cast<double>(counts.loops));
+  report.add_measure("holes",
+                     static_cast<double>(counts.loops) - static_cast<double>(counts.components));
+}
+
+}  // namespace
+
+bool audit_syntax(const TriangleMesh& mesh, Report& report) {
+  const std::size_t nodes = mesh.points.size();
+  const auto& t = mesh.triangles;
+  bool ok = check_each(report, "valid_indices", Item::kTriangle, t.size(),
+                       [&](Index i) { return in_range(t[i], nodes); });
+  ok &= check_each(report, "distinct_corners", Item::kTriangle, t.size(),
+                   [&](Index i) { return distinct(t[i]); });
+  ok &= check_each(report, "finite_coordinates", Item::kNode, nodes, [&](Index i) {
+    return std::isfinite(mesh.points[i].x) && std::isfinite(mesh.points[i].y);
+  });
+  ok &= check_each(report, "valid_segments", Item::kSegment, mesh.segments.size(),
+                   [&](Index i) { return valid(mesh.segments[i], nodes); });
+  return audit_node_data(mesh, report) && ok;
+}
+
+void audit_topology(const TriangleMesh& mesh, const HalfEdges& half_edges, Report& report) {
+  list(report, "no_duplicate_triangle", Item::kTriangle, half_edges.duplicate_triangles);
+  list(report, "manifold_edges", Item::kEdge, half_edges.crowded_edges);
+  list(report, "consistent_orientation", Item::kEdge, half_edges.disagreeing_edges);
+  Counts counts;
+  const std::vector<std::uint8_t> fans = count_fans(mesh, half_edges, counts.fans);
+  for (const std::uint8_t count : fans) counts.nodes += count > 0;
+  counts.boundary_edges = count_boundary_edges(half_edges);
+  counts.components = count_components(half_edges);
+  counts.loops = count_boundary_loops(half_edges);
+  audit_nodes(fans, report);
+  audit_euler(mesh, half_edges, counts, report);
+  audit_segments(mesh, half_edges, report);
+  add_measures(mesh, half_edges, counts, report);
+}
+
+}  // namespace wellspaced::audit
