@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 #include "wellspaced/kernel/random.hpp"
@@ -21,15 +22,16 @@ constexpr Word kIndexMask = (Word{1} << kIndexBits) - 1;
 
 Index index_of(Word word) { return static_cast<Index>(word & kIndexMask); }
 
-// The Hilbert curve as an automaton that reads four bits of x and of y at a time. The state says
-// how the curve is turned in the current square: bit 0 swaps the axes, bit 1 mirrors both.
-struct CurveTable {
+// The Hilbert curve of the plane as an automaton that reads four bits of x and of y at a time. The
+// state says how the curve is turned in the current square: bit 0 swaps the axes, bit 1 mirrors
+// both.
+struct PlaneCurve {
   std::array<std::uint8_t, 1024> place{};
   std::array<std::uint8_t, 1024> state{};
 };
 
-constexpr CurveTable make_curve_table() {
-  CurveTable table;
+constexpr PlaneCurve make_plane_curve() {
+  PlaneCurve table;
   for (unsigned start = 0; start < 4; ++start) {
     for (unsigned cell = 0; cell < 256; ++cell) {
       unsigned state = start, place = 0;
@@ -49,44 +51,105 @@ constexpr CurveTable make_curve_table() {
   return table;
 }
 
-constexpr CurveTable kCurve = make_curve_table();
+constexpr PlaneCurve kPlaneCurve = make_plane_curve();
 
-// The place on the curve of cell (x, y) of a 2^16 x 2^16 grid.
-std::uint32_t curve_place(std::uint32_t x, std::uint32_t y) {
+// The Hilbert curve of space as an automaton that reads two bits of x, y and z at a time (Hamilton,
+// Compact Hilbert indices, 2006). The state 3 * entry + axis says how the curve is turned in the
+// current cube: the corner where it enters, and the axis along which it leaves.
+struct SpaceCurve {
+  std::array<std::uint8_t, 24 * 64> place{};
+  std::array<std::uint8_t, 24 * 64> state{};
+};
+
+constexpr unsigned rotate3(unsigned bits, unsigned by) {
+  return (bits << by | bits >> (3 - by)) & 7u;
+}
+
+constexpr SpaceCurve make_space_curve() {
+  // By the octant's place on the untilted curve: its entry corner and its direction.
+  constexpr std::array<unsigned, 8> kEntry{0, 0, 0, 3, 3, 6, 6, 5};
+  constexpr std::array<unsigned, 8> kAxis{0, 1, 1, 2, 2, 1, 1, 0};
+  SpaceCurve table;
+  for (unsigned start = 0; start < 24; ++start) {
+    for (unsigned cell = 0; cell < 64; ++cell) {
+      unsigned entry = start / 3, axis = start % 3, place = 0;
+      for (unsigned bit = 2; bit-- > 0;) {
+        const unsigned x = cell >> (4 + bit) & 1, y = cell >> (2 + bit) & 1, z = cell >> bit & 1;
+        const unsigned turn = (axis + 1) % 3;
+        const unsigned gray = rotate3((x | y << 1 | z << 2) ^ entry, 3 - turn);
+        const unsigned octant = gray ^ gray >> 1 ^ gray >> 2;
+        place = place << 3 | octant;
+        entry ^= rotate3(kEntry[octant], turn);
+        axis = (axis + kAxis[octant] + 1) % 3;
+      }
+      table.place[start << 6 | cell] = static_cast<std::uint8_t>(place);
+      table.state[start << 6 | cell] = static_cast<std::uint8_t>(3 * entry + axis);
+    }
+  }
+  return table;
+}
+
+constexpr SpaceCurve kSpaceCurve = make_space_curve();
+
+// The place on the curve of a cell of a grid of 2^16 x 2^16 cells.
+std::uint32_t curve_place(const std::array<std::uint32_t, 2>& cell) {
   std::uint32_t place = 0, state = 0;
   for (int shift = 12; shift >= 0; shift -= 4) {
-    const std::uint32_t entry = state << 8 | ((x >> shift) & 15u) << 4 | ((y >> shift) & 15u);
-    place = place << 8 | kCurve.place[entry];
-    state = kCurve.state[entry];
+    const std::uint32_t entry =
+        state << 8 | ((cell[0] >> shift) & 15u) << 4 | ((cell[1] >> shift) & 15u);
+    place = place << 8 | kPlaneCurve.place[entry];
+    state = kPlaneCurve.state[entry];
   }
   return place;
 }
 
-// The square in which the curve runs. Coordinates are halved, so that no difference overflows.
-struct Square {
-  double half_x = 0, half_y = 0, half_side = 0;
+// The place on the curve of a cell of a grid of 2^10 x 2^10 x 2^10 cells.
+std::uint32_t curve_place(const std::array<std::uint32_t, 3>& cell) {
+  std::uint32_t place = 0, state = 0;
+  for (int shift = 8; shift >= 0; shift -= 2) {
+    const std::uint32_t entry = state << 6 | ((cell[0] >> shift) & 3u) << 4 |
+                                ((cell[1] >> shift) & 3u) << 2 | ((cell[2] >> shift) & 3u);
+    place = place << 6 | kSpaceCurve.place[entry];
+    state = kSpaceCurve.state[entry];
+  }
+  return place;
+}
+
+std::array<double, 2> halved(Point2 p) { return {p.x / 2, p.y / 2}; }
+std::array<double, 3> halved(Point3 p) { return {p.x / 2, p.y / 2, p.z / 2}; }
+
+// The square or cube in which the curve runs. Coordinates are halved, so that no difference
+// overflows.
+template <std::size_t Dimension>
+struct Cube {
+  std::array<double, Dimension> half_low;
+  double half_side;
 };
 
 template <class Range, class PointOf>
-Square bounding_square(const Range& range, PointOf point_of) {
-  Point2 low = point_of(*range.begin()), high = low;
+auto bounding_cube(const Range& range, PointOf point_of) {
+  auto low = halved(point_of(*range.begin())), high = low;
   for (const auto& item : range) {
-    const Point2 p = point_of(item);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    const auto half = halved(point_of(item));
+    for (std::size_t k = 0; k < half.size(); ++k) {
+      low[k] = std::min(low[k], half[k]);
+      high[k] = std::max(high[k], half[k]);
+    }
   }
-  const double side = std::max(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2);
-  return {low.x / 2, low.y / 2, side};
+  double side = 0;
+  for (std::size_t k = 0; k < low.size(); ++k) side = std::max(side, high[k] - low[k]);
+  return Cube<std::tuple_size_v<decltype(low)>>{low, side};
 }
 
-std::uint32_t grid_coordinate(double half, double half_low, double half_side) {
-  const double cell = (half - half_low) / half_side * 65536.0;
-  return cell >= 65535.0 ? 65535u : static_cast<std::uint32_t>(cell);
-}
-
-std::uint32_t place_in(const Square& square, Point2 p) {
-  return curve_place(grid_coordinate(p.x / 2, square.half_x, square.half_side),
-                     grid_coordinate(p.y / 2, square.half_y, square.half_side));
+template <std::size_t Dimension>
+std::uint32_t place_in(const Cube<Dimension>& cube, const std::array<double, Dimension>& half) {
+  constexpr double kCells = Dimension == 2 ? 65536.0 : 1024.0;
+  std::array<std::uint32_t, Dimension> cell;
+  for (std::size_t k = 0; k < Dimension; ++k) {
+    const double c = (half[k] - cube.half_low[k]) / cube.half_side * kCells;
+    cell[k] = static_cast<std::uint32_t>(std::min(c, kCells - 1));
+  }
+  return curve_place(cell);
 }
 
 // Stable radix sort by the bits above the point number.
@@ -126,8 +189,10 @@ void find_crowds(std::span<const Word> words, Range range, std::vector<Range>& c
 }
 
 // Sorts crowded cells along a curve through their own square, until the squares are points. Every
-// pass divides the side by 2^16, so there are at most 2098 / 16 passes over any point.
-void refine_crowds(std::span<const Point2> points, std::vector<Word>& words) {
+// pass divides the side by 2^16 (2^10 in space), so there are at most 2098 / 16 passes over any
+// point (2098 / 10).
+template <class Point>
+void refine_crowds(std::span<const Point> points, std::vector<Word>& words) {
   std::vector<Range> crowds;
   find_crowds(words, {0, words.size()}, crowds);
   const auto point_of = [&](Word word) { return points[index_of(word)]; };
@@ -135,24 +200,24 @@ void refine_crowds(std::span<const Point2> points, std::vector<Word>& words) {
     const Range range = crowds.back();
     crowds.pop_back();
     const std::span<Word> crowd(words.data() + range.first, range.second - range.first);
-    const Square square = bounding_square(crowd, point_of);
-    if (!(square.half_side > 0)) continue;
+    const auto cube = bounding_cube(crowd, point_of);
+    if (!(cube.half_side > 0)) continue;
     for (Word& word : crowd)
-      word = Word{place_in(square, point_of(word))} << kIndexBits | index_of(word);
+      word = Word{place_in(cube, halved(point_of(word)))} << kIndexBits | index_of(word);
     std::sort(crowd.begin(), crowd.end());
     find_crowds(words, range, crowds);
   }
 }
 
-template <class RoundOf>
-std::vector<Index> order_by(std::span<const Point2> points, RoundOf round_of) {
+template <class Point, class RoundOf>
+std::vector<Index> order_by(std::span<const Point> points, RoundOf round_of) {
   assert(points.size() <= kMaxOrderedPoints);
   std::vector<Index> order(points.size());
   if (points.empty()) return order;
-  const Square square = bounding_square(points, [](Point2 p) { return p; });
+  const auto cube = bounding_cube(points, [](Point p) { return p; });
   std::vector<Word> words(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Word place = square.half_side > 0 ? place_in(square, points[i]) : 0;
+    const Word place = cube.half_side > 0 ? place_in(cube, halved(points[i])) : 0;
     words[i] = (Word{round_of(i)} << kCurveBits | place) << kIndexBits | i;
   }
   sort_words(words);
@@ -161,10 +226,22 @@ std::vector<Index> order_by(std::span<const Point2> points, RoundOf round_of) {
   return order;
 }
 
-// A point stays out of the last round with probability 2^-kRoundBits, out of the last two with the
-// square of that, and so on.
-constexpr int kRoundBits = 3;
+// A point stays out of the last round with probability 2^-round_bits, out of the last two with the
+// square of that, and so on. In space more and smaller rounds pay, because they make the cavities
+// smaller.
+constexpr unsigned kPlaneRoundBits = 3;
+constexpr unsigned kSpaceRoundBits = 2;
 constexpr std::size_t kFirstRound = 256;
+
+template <class Point>
+std::vector<Index> order_in_rounds(std::span<const Point> points, unsigned round_bits) {
+  unsigned rounds = 1;
+  while (rounds < kMaxRounds && (points.size() >> (rounds * round_bits)) > kFirstRound) ++rounds;
+  return order_by(points, [&](std::size_t i) {
+    const unsigned back = static_cast<unsigned>(std::countr_zero(splitmix64(i))) / round_bits;
+    return rounds - 1 - std::min(back, rounds - 1);
+  });
+}
 
 }  // namespace
 
@@ -172,14 +249,16 @@ std::vector<Index> hilbert_order(std::span<const Point2> points) {
   return order_by(points, [](std::size_t) { return 0u; });
 }
 
+std::vector<Index> hilbert_order(std::span<const Point3> points) {
+  return order_by(points, [](std::size_t) { return 0u; });
+}
+
 std::vector<Index> insertion_order(std::span<const Point2> points) {
-  unsigned rounds = 1;
-  while (rounds < kMaxRounds && (points.size() >> (rounds * kRoundBits)) > kFirstRound) ++rounds;
-  return order_by(points, [&](std::size_t i) {
-    const unsigned back =
-        static_cast<unsigned>(std::countr_zero(splitmix64(i))) / unsigned{kRoundBits};
-    return rounds - 1 - std::min(back, rounds - 1);
-  });
+  return order_in_rounds(points, kPlaneRoundBits);
+}
+
+std::vector<Index> insertion_order(std::span<const Point3> points) {
+  return order_in_rounds(points, kSpaceRoundBits);
 }
 
 }  // namespace wellspaced

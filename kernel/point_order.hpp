@@ -8,24 +8,27 @@
 
 namespace wellspaced {
 
-/// The most points that can be ordered, and so triangulated in the plane.
+/// The most points that can be ordered, and so triangulated.
 inline constexpr std::size_t kMaxOrderedPoints = std::size_t{1} << 28;
 
-/// The point numbers along a Hilbert curve through the points' bounding square.
+/// The point numbers along a Hilbert curve through the points' bounding square or cube.
 ///
 /// Neighbours in the order are near each other, whatever the density: crowded cells are refined
 /// with a curve of their own.
 /// Requires: at most kMaxOrderedPoints points, all finite.
 /// Degenerate: equal points keep their input order.
-/// Cost: O(n) time but for crowded cells (O(n) a further factor 2^16 of scale), 16 bytes a point.
+/// Cost: O(n) time but for crowded cells (O(n) a further factor 2^16 of scale, 2^10 in
+/// space), 16 bytes a point.
 std::vector<Index> hilbert_order(std::span<const Point2> points);
+std::vector<Index> hilbert_order(std::span<const Point3> points);
 
 /// The point numbers in a biased randomized insertion order: each round holds about seven times as
-/// many points as all rounds before it, and runs along a Hilbert curve. The rounds bound the
-/// expected number of structural changes for every input, however adversarial; the curve keeps
-/// the walk to the next point short. The rounds are drawn by a hash of the point's number, so the
-/// order depends on the input alone.
-/// See: Amenta, Choi and Rote, Incremental constructions con BRIO (2003).
+/// many points as all rounds before it (in space: three times), and runs along a Hilbert curve. The
+/// rounds bound the expected number of structural changes for every input, however adversarial; the
+/// curve keeps the walk to the next point short. The rounds are drawn by a hash of the point's
+/// number, so the order depends on the input alone. See: Amenta, Choi and Rote, Incremental
+/// constructions con BRIO (2003).
 std::vector<Index> insertion_order(std::span<const Point2> points);
+std::vector<Index> insertion_order(std::span<const Point3> points);
 
 }  // namespace wellspaced
