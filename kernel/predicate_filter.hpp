@@ -107,9 +107,19 @@ inline constexpr double kInsphereSquaredBound = 0x1p-93;
 inline constexpr double kInsphereUnderflow = 0x1p-700;
 inline constexpr double kInsphereLargestSum = 0x1p150;
 
-/// The sign of insphere for a' = a - e, ..., d' = d - e, each rounded once, or 0.
-/// Cannot tell where a difference exceeds 2^75.
-inline int insphere_of_differences(Point3 a, Point3 b, Point3 c, Point3 d) {
+/// The determinant of insphere, and what it takes to trust its sign.
+struct InsphereEstimate {
+  double determinant, bound_sq, sum_sq;
+
+  /// Without a branch, for callers that test many. False where a difference exceeds 2^75.
+  bool is_certain() const {
+    return (determinant * determinant > bound_sq) & (sum_sq < kInsphereLargestSum);
+  }
+  int sign() const { return is_certain() ? (determinant > 0 ? 1 : -1) : 0; }
+};
+
+/// The estimate for a' = a - e, ..., d' = d - e, each rounded once.
+inline InsphereEstimate insphere_of_differences(Point3 a, Point3 b, Point3 c, Point3 d) {
   const double ab = a.x * b.y - a.y * b.x;
   const double bc = b.x * c.y - b.y * c.x;
   const double cd = c.x * d.y - c.y * d.x;
@@ -128,13 +138,13 @@ inline int insphere_of_differences(Point3 a, Point3 b, Point3 c, Point3 d) {
   const double sum_sq = (a_sq + b_sq) + (c_sq + d_sq);
   const double bound_sq =
       kInsphereSquaredBound * ((a_sq * b_sq) * (c_sq * d_sq)) * sum_sq + kInsphereUnderflow;
-  if (!(determinant * determinant > bound_sq) || !(sum_sq < kInsphereLargestSum)) return 0;
-  return determinant > 0 ? 1 : -1;
+  return {determinant, bound_sq, sum_sq};
 }
 
 inline int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e) {
   return insphere_of_differences(difference(a, e), difference(b, e), difference(c, e),
-                                 difference(d, e));
+                                 difference(d, e))
+      .sign();
 }
 
 }  // namespace wellspaced::predicate_filter

@@ -1,0 +1,45 @@
+// Filling a cavity of a tetrahedralization with the star of a new vertex. Used by Delaunay3.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/triangulation3.hpp"
+
+namespace wellspaced {
+
+/// Fills cavities. It owns the scratch space for that: 4 bytes a vertex, and lists as long as the
+/// largest cavity.
+class StarFiller3 {
+ public:
+  /// Makes room for vertices below `count`.
+  void reserve_vertices(std::size_t count) { slot_of_vertex_.resize(count + 1); }
+
+  /// Replaces the tets of `cavity` by those that join `apex` to its rim. A new tet has the
+  /// vertices of the tet inside, with the apex in place of the corner off the facet. Afterwards
+  /// cavity.tets names the tets that are new or have a new number, a new one first.
+  /// Requires: the rim is a closed surface around the cavity; room for its vertices; no more tets
+  /// than Triangulation3::kMaxTets afterwards.
+  /// Cost: expected linear in the rim.
+  void fill(Triangulation3& topology, Triangulation3::Cavity& cavity, Index apex);
+
+ private:
+  using RimFacet = Triangulation3::RimFacet;
+
+  Index number_rim_vertices(std::span<const RimFacet> rim);
+  template <class Table>
+  void join(Triangulation3& topology, const Triangulation3::Cavity& cavity, Table table);
+  static void remove_tets(Triangulation3& topology, std::vector<Index>& list, std::size_t first);
+
+  std::vector<Index> slot_of_vertex_;  // by vertex + 1, so that the ghost comes first
+  std::vector<Index> vertex_in_slot_;
+  std::vector<std::array<Index, 3>> rim_slots_;  // of the three vertices of each rim facet
+  std::vector<std::uint64_t> edge_keys_;
+  std::vector<std::uint32_t> edge_links_;
+};
+
+}  // namespace wellspaced
