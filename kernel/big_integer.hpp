@@ -11,6 +11,8 @@
 
 namespace wellspaced {
 
+__extension__ typedef unsigned __int128 UInt128;
+
 /// An integer in sign and magnitude of at most `Capacity` 64-bit limbs, the lowest first.
 ///
 /// Only the limbs in use cost time, so a large capacity is cheap; nothing is allocated. A product
@@ -178,11 +180,6 @@ BigInteger<std::max(N, M)> operator-(const BigInteger<N>& a, const BigInteger<M>
 template <int N, int M>
 BigInteger<N + M> operator*(const BigInteger<N>& a, const BigInteger<M>& b) {
   return BigInteger<N + M>::product(a, b);
-}
-
-template <int N, int M>
-BigInteger<N + M> wide_product(const BigInteger<N>& a, const BigInteger<M>& b) {
-  return a * b;
 }
 
 template <int N>

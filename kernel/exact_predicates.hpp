@@ -1,9 +1,12 @@
 // Rungs 2 and 3 of the predicates: the sign by integer arithmetic.
 //
-// Doubles are integers times powers of two. Brought to one common exponent, the predicates become
-// determinants of integers, which no compiler flag can disturb. Rung 2 does them in a fixed number
-// of machine words where the coordinates' significant bits span at most 125; it is the hot path on
-// grids and cocircular points. Rung 3 takes any finite doubles.
+// Doubles are integers times powers of two. Brought to one scale, the predicates become
+// determinants of integers, which no compiler flag can disturb. Rung 2 computes them in a fixed
+// number of machine words, where the coordinates' bits span at most 119; it is the hot path on
+// grids, circles and spheres. Rung 3 takes any finite doubles.
+//
+// All functions take the points' coordinates one after the other, the point that the others are
+// taken relative to last.
 #pragma once
 
 #include <array>
@@ -14,105 +17,23 @@
 
 #include "wellspaced/kernel/big_integer.hpp"
 #include "wellspaced/kernel/fixed_integer.hpp"
-#include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced::exact {
 
-/// The magnitude of a double is significand * 2^(exponent - 1075), significand < 2^53.
-struct Parts {
-  std::uint64_t significand = 0;
-  int exponent = 0;  ///< the biased exponent, 1 for subnormals and 0
-  bool negative = false;
-};
-
-inline Parts parts(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const int biased = static_cast<int>(bits >> 52) & 0x7FF;
-  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
-  const std::uint64_t implicit = std::uint64_t{biased != 0} << 52;
-  return {fraction | implicit, biased + (biased == 0), (bits >> 63) != 0};
-}
-
-/// The largest biased exponent.
-template <std::size_t N>
-int largest_exponent(const std::array<double, N>& x) {
-  std::uint64_t largest = 0;
-  for (const double value : x) {
-    const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(value) << 1;
-    largest = magnitude > largest ? magnitude : largest;
-  }
-  const int biased = static_cast<int>(largest >> 53);
-  return biased + (biased == 0);
-}
-
-/// Doubles as integers of `Bits` bits at the exponent of the largest: false if one has bits below.
-template <int Bits, class Integer, std::size_t N>
-bool to_integers(const std::array<double, N>& x, std::array<Integer, N>& out) {
-  const int top = largest_exponent(x);
-  Integer lost = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    const Parts part = parts(x[i]);
-    const Integer whole = static_cast<Integer>(part.significand) << (Bits - 53);
-    const int shift = top - part.exponent < Bits ? top - part.exponent : Bits;
-    const Integer kept = whole >> shift;
-    lost |= whole ^ (kept << shift);
-    const Integer sign = -static_cast<Integer>(part.negative);
-    out[i] = (kept ^ sign) - sign;
-  }
-  return lost == 0;
-}
-
-/// The points minus the last one, coordinate by coordinate.
-template <std::size_t Dimension, class Integer, std::size_t N>
-auto differences(const std::array<Integer, N>& x) {
-  std::array<Integer, N - Dimension> out;
-  for (std::size_t i = 0; i < N - Dimension; ++i) out[i] = x[i] - x[N - Dimension + i % Dimension];
-  return out;
-}
-
-inline int trailing_zeros(std::int64_t x) {
-  return std::countr_zero(static_cast<std::uint64_t>(x));
-}
-
-inline int trailing_zeros(Int128 x) {
-  const auto low = static_cast<std::int64_t>(x);
-  return low != 0 ? trailing_zeros(low) : 64 + trailing_zeros(static_cast<std::int64_t>(x >> 64));
-}
-
-/// True if every x fits `bits` bits and a sign.
-template <class Integer, std::size_t N>
-bool fit(const std::array<Integer, N>& x, int bits) {
-  Integer magnitudes = 0;
-  for (const Integer value : x) magnitudes |= value ^ (value >> (sizeof(Integer) * 8 - 1));
-  return (magnitudes >> bits) == 0;
-}
-
-/// Divides by the largest power of two that divides all, which changes no sign of a determinant
-/// that is homogeneous. Returns false if all are 0.
-template <class Integer, std::size_t N>
-bool remove_common_factor(std::array<Integer, N>& x) {
-  Integer any = 0;
-  for (const Integer value : x) any |= value;
-  if (any == 0) return false;
-  const int zeros = trailing_zeros(any);
-  for (Integer& value : x) value >>= zeros;
-  return true;
-}
-
-template <class Integer, std::size_t N>
-auto fixed_integers(const std::array<Integer, N>& x) {
-  std::array<decltype(fixed_integer(x[0])), N> out;
-  for (std::size_t i = 0; i < N; ++i) out[i] = fixed_integer(x[i]);
-  return out;
-}
-
-// The determinants on differences, written once for every kind of number. A product `a * b` may be
-// as wide as its factors (int64) or wider (FixedInteger, BigInteger); wide_product is always exact.
-// kNarrowBits is the width up to which int64 differences leave room for all but the last product.
+// ---- The determinants, on coordinate differences, written once for every kind of number.
+//
+// The product a * b may be as wide as its factors (int64) or wider (Digits, BigInteger);
+// wide_product never overflows. Why nothing else does, for differences of magnitude at most
+//   2^kNarrowBits as int64: every sum but the last is below 2^63, the last below 2^127;
+//   2^61 as Digits<1, 62>: a 2 x 2 minor and a sum of squares are columns below 2^125, their digits
+//     below 2^62; in a 3 x 3 minor the columns are below 3 * 2^124, its digits below 2^62; in the
+//     insphere determinant no column exceeds 4 * 1.75 * 2^124;
+//   2^120 as Digits<2, 60>: likewise, with last digits below 2^61 (2 x 2), 3 * 2^60 (squares) and
+//     3 * 2^61 (3 x 3), and no column of the last sum above 1.2 * 2^126.
 
 struct Orient2d {
   static constexpr std::size_t kDimension = 2;
-  static constexpr int kNarrowBits = 62;
+  static constexpr int kNarrowBits = 61;
   template <class T>
   static int sign(const std::array<T, 4>& v) {
     const auto& [ax, ay, bx, by] = v;
@@ -166,38 +87,161 @@ struct Insphere {
   }
 };
 
-template <class Determinant, std::size_t N>
-int sign_of_differences(std::array<std::int64_t, N> v) {
-  if (!remove_common_factor(v)) return 0;
-  if (fit(v, Determinant::kNarrowBits)) return Determinant::sign(v);
-  return Determinant::sign(fixed_integers(v));
+/// The points minus the last one, coordinate by coordinate.
+template <std::size_t Dimension, class Integer, std::size_t N>
+auto differences(const std::array<Integer, N>& x) {
+  std::array<Integer, N - Dimension> out;
+  for (std::size_t i = 0; i < N - Dimension; ++i) out[i] = x[i] - x[N - Dimension + i % Dimension];
+  return out;
 }
 
+// ---- Rung 2.
+
+/// The largest biased exponent, at least `least`.
+template <std::size_t N>
+int largest_exponent(const std::array<double, N>& x, int least) {
+  std::uint64_t largest = 0;
+  for (const double value : x) {
+    const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(value) << 1;
+    largest = magnitude > largest ? magnitude : largest;
+  }
+  const int biased = static_cast<int>(largest >> 53);
+  return biased > least ? biased : least;
+}
+
+/// 2^(biased - 1023). Requires: 1 <= biased <= 2046.
+inline double power_of_two(int biased) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(biased) << 52);
+}
+
+/// The bits in which two doubles differ, the sign aside, in which only zeros differ here.
+inline std::uint64_t changed_bits(double a, double b) {
+  return (std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b)) << 1;
+}
+
+// Doubles to integers at one scale, the largest to just below 2^60, or 2^119. Returns false if one
+// would lose bits: then the way back gives other bits than it had, whatever lost them, be it
+// rounding, underflow or a processor that flushes subnormals.
+
+template <std::size_t N>
+bool to_integers(const std::array<double, N>& x, std::array<std::int64_t, N>& out) {
+  const int top = largest_exponent(x, 60);
+  const double up = power_of_two(2105 - top), down = power_of_two(top - 59);
+  std::uint64_t lost = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    out[i] = static_cast<std::int64_t>(x[i] * up);
+    lost |= changed_bits(x[i], static_cast<double>(out[i]) * down);
+  }
+  return lost == 0;
+}
+
+template <std::size_t N>
+bool to_integers(const std::array<double, N>& x, std::array<Int128, N>& out) {
+  const int top = largest_exponent(x, 120);
+  const double up = power_of_two(2104 - top), down = power_of_two(top - 58);
+  const double up_again = power_of_two(2164 - top), down_again = power_of_two(top - 118);
+  std::uint64_t lost = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto high = static_cast<std::int64_t>(x[i] * up);
+    const double high_part = static_cast<double>(high) * down;
+    const auto low = static_cast<std::int64_t>((x[i] - high_part) * up_again);
+    lost |= changed_bits(x[i], high_part + static_cast<double>(low) * down_again);
+    out[i] = (Int128{high} << 60) + low;
+  }
+  return lost == 0;
+}
+
+inline int trailing_zeros(std::int64_t x) {
+  return std::countr_zero(static_cast<std::uint64_t>(x));
+}
+
+inline int trailing_zeros(Int128 x) {
+  const auto low = static_cast<std::int64_t>(x);
+  return low != 0 ? trailing_zeros(low) : 64 + trailing_zeros(static_cast<std::int64_t>(x >> 64));
+}
+
+inline Digits<1, 62> one_digit(std::int64_t x) { return {{x}}; }
+
+inline Digits<2, 60> two_digits(Int128 x) {
+  return {{low_digit<60>(x), static_cast<std::int64_t>(x >> 60)}};
+}
+
+template <class Function, class Integer, std::size_t N>
+auto map(Function f, const std::array<Integer, N>& x) {
+  std::array<decltype(f(x[0])), N> out;
+  for (std::size_t i = 0; i < N; ++i) out[i] = f(x[i]);
+  return out;
+}
+
+template <class Integer, std::size_t N>
+void shift_right(std::array<Integer, N>& x, int bits) {
+  for (Integer& value : x) value >>= bits;
+}
+
+// Differences of magnitude at most 2^61. On grids they have many trailing zeros in common, and
+// without these they are narrow.
 template <class Determinant, std::size_t N>
-int sign_of_differences(std::array<Int128, N> v) {
-  if (!remove_common_factor(v)) return 0;
-  if (!fit(v, 62)) return Determinant::sign(fixed_integers(v));
-  std::array<std::int64_t, N> narrow;
-  for (std::size_t i = 0; i < N; ++i) narrow[i] = static_cast<std::int64_t>(v[i]);
+int sign_of_differences(std::array<std::int64_t, N>& v) {
+  std::int64_t any = 0;
+  for (const std::int64_t value : v) any |= value;
+  if (any == 0) return 0;
+  const int zeros = trailing_zeros(any);
+  if (zeros < 61 - Determinant::kNarrowBits) return Determinant::sign(map(one_digit, v));
+  shift_right(v, zeros);
+  return Determinant::sign(v);
+}
+
+// Differences below 2^120. Those of near points may well fit 61 bits.
+template <class Determinant, std::size_t N>
+int sign_of_differences(std::array<Int128, N>& v) {
+  Int128 any = 0, magnitudes = 0;
+  for (const Int128 value : v) {
+    any |= value;
+    magnitudes |= value ^ (value >> 127);
+  }
+  if (any == 0) return 0;
+  const int zeros = trailing_zeros(any);
+  if (((magnitudes >> zeros) >> 61) != 0) return Determinant::sign(map(two_digits, v));
+  shift_right(v, zeros);
+  auto narrow = map([](Int128 x) { return static_cast<std::int64_t>(x); }, v);
   return sign_of_differences<Determinant>(narrow);
 }
 
-/// Rung 2: nothing if the coordinates' bits span more than 125.
+/// The sign, or nothing if the coordinates' bits span more than 119, or where subnormals matter.
 template <class Determinant, std::size_t N>
 std::optional<int> fixed_sign(const std::array<double, N>& x) {
   constexpr std::size_t kDimension = Determinant::kDimension;
   std::array<std::int64_t, N> narrow;
-  if (to_integers<61>(x, narrow)) {
-    return sign_of_differences<Determinant>(differences<kDimension>(narrow));
+  if (to_integers(x, narrow)) {
+    auto v = differences<kDimension>(narrow);
+    return sign_of_differences<Determinant>(v);
   }
   std::array<Int128, N> wide;
-  if (to_integers<125>(x, wide)) {
-    return sign_of_differences<Determinant>(differences<kDimension>(wide));
+  if (to_integers(x, wide)) {
+    auto v = differences<kDimension>(wide);
+    return sign_of_differences<Determinant>(v);
   }
   return std::nullopt;
 }
 
-/// 2046 + 53 bits hold every finite double at the least exponent; 33 limbs also hold a difference.
+// ---- Rung 3.
+
+/// The magnitude of a double is significand * 2^(exponent - 1075), significand < 2^53.
+struct Parts {
+  std::uint64_t significand = 0;
+  int exponent = 0;  ///< the biased exponent, 1 for subnormals and 0
+  bool negative = false;
+};
+
+inline Parts parts(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int biased = static_cast<int>(bits >> 52) & 0x7FF;
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  const std::uint64_t implicit = std::uint64_t{biased != 0} << 52;
+  return {fraction | implicit, biased + (biased == 0), (bits >> 63) != 0};
+}
+
+/// At the least exponent every finite double fits 2046 + 53 bits; 33 limbs also hold a difference.
 using BigCoordinate = BigInteger<33>;
 
 inline BigCoordinate big_coordinate(double x, int exponent) {
@@ -217,14 +261,19 @@ int smallest_exponent(const std::array<double, N>& x) {
   return smallest;
 }
 
-/// Rung 3: any finite doubles.
+template <std::size_t N>
+std::array<BigCoordinate, N> big_coordinates(const std::array<double, N>& x) {
+  const int exponent = smallest_exponent(x);
+  return map([exponent](double value) { return big_coordinate(value, exponent); }, x);
+}
+
+/// The sign, for any finite doubles.
 template <class Determinant, std::size_t N>
 int big_sign(const std::array<double, N>& x) {
-  const int exponent = smallest_exponent(x);
-  std::array<BigCoordinate, N> integers;
-  for (std::size_t i = 0; i < N; ++i) integers[i] = big_coordinate(x[i], exponent);
-  return Determinant::sign(differences<Determinant::kDimension>(integers));
+  return Determinant::sign(differences<Determinant::kDimension>(big_coordinates(x)));
 }
+
+// ---- Both.
 
 template <class Determinant, std::size_t N>
 int sign(const std::array<double, N>& x) {
@@ -232,21 +281,9 @@ int sign(const std::array<double, N>& x) {
   return fixed ? *fixed : big_sign<Determinant>(x);
 }
 
-inline int orient2d(Point2 a, Point2 b, Point2 c) {
-  return sign<Orient2d>(std::array{a.x, a.y, b.x, b.y, c.x, c.y});
-}
-
-inline int incircle(Point2 a, Point2 b, Point2 c, Point2 d) {
-  return sign<Incircle>(std::array{a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y});
-}
-
-inline int orient3d(Point3 a, Point3 b, Point3 c, Point3 d) {
-  return sign<Orient3d>(std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
-}
-
-inline int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e) {
-  return sign<Insphere>(
-      std::array{a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z});
-}
+inline int orient2d(const std::array<double, 6>& x) { return sign<Orient2d>(x); }
+inline int incircle(const std::array<double, 8>& x) { return sign<Incircle>(x); }
+inline int orient3d(const std::array<double, 12>& x) { return sign<Orient3d>(x); }
+inline int insphere(const std::array<double, 15>& x) { return sign<Insphere>(x); }
 
 }  // namespace wellspaced::exact

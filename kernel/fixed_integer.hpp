@@ -1,4 +1,9 @@
-// Signed integers of a fixed number of 64-bit limbs, on the stack, for exact determinants.
+// Signed integers of a fixed number of digits, on the stack, for exact determinants.
+//
+// A determinant is a sum of few products, so carries can wait. A product is left as the columns of
+// the schoolbook, each a 128-bit sum; columns are added column by column; and carries run only when
+// a sum becomes a factor in its turn, or when its sign is asked. All of it is plain signed 128-bit
+// arithmetic without branches, which compilers turn into good code on every 64-bit machine.
 #pragma once
 
 #include <array>
@@ -11,104 +16,102 @@
 namespace wellspaced {
 
 __extension__ typedef __int128 Int128;
-__extension__ typedef unsigned __int128 UInt128;
 
-/// The exact product. Cost: one machine multiplication.
+/// The exact product.
 constexpr Int128 wide_product(std::int64_t a, std::int64_t b) { return Int128{a} * b; }
 
-constexpr int sign_of(std::int64_t a) { return (a > 0) - (a < 0); }
 constexpr int sign_of(Int128 a) { return (a > 0) - (a < 0); }
 
-/// A two's complement integer of `Limbs` 64-bit limbs, the lowest first.
-///
-/// Sums and differences keep the width and wrap around like machine integers; a product is as wide
-/// as its factors together, so it never overflows. Callers choose widths that leave room for sums.
-template <int Limbs>
-struct FixedInteger {
-  static_assert(Limbs >= 1);
-  std::array<std::uint64_t, Limbs> limb;
-
-  constexpr bool negative() const { return static_cast<std::int64_t>(limb[Limbs - 1]) < 0; }
+/// The integer sum of digit[i] * 2^(Bits * i). All digits but the last are in 0 .. 2^Bits - 1; the
+/// last carries the sign and may be larger.
+template <int Count, int Bits>
+struct Digits {
+  std::array<std::int64_t, Count> digit;
 };
 
-/// The limb that repeats the sign: all ones for a negative integer, else 0.
-template <int N>
-constexpr std::uint64_t sign_limb(const FixedInteger<N>& a) {
-  return std::uint64_t{0} - (a.limb[N - 1] >> 63);
+/// The integer sum of column[i] * 2^(Bits * i), carries pending.
+///
+/// Requires, of every sum and product: that no column outgrows 127 bits, and that what is carried
+/// out of the last column fits 64 bits. Callers show it by counting; see exact_predicates.hpp.
+template <int Count, int Bits>
+struct Columns {
+  std::array<Int128, Count> column;
+};
+
+template <int Bits>
+constexpr std::int64_t low_digit(Int128 column) {
+  return static_cast<std::int64_t>(column) & ((std::int64_t{1} << Bits) - 1);
 }
 
-constexpr FixedInteger<1> fixed_integer(std::int64_t a) {
-  return {{static_cast<std::uint64_t>(a)}};
-}
-
-constexpr FixedInteger<2> fixed_integer(Int128 a) {
-  return {{static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(a >> 64)}};
-}
-
-template <int N>
-constexpr FixedInteger<N> operator+(const FixedInteger<N>& a, const FixedInteger<N>& b) {
-  FixedInteger<N> sum{};
-  std::uint64_t carry = 0;
+/// Runs the carries.
+template <int N, int Bits>
+constexpr Digits<N + 1, Bits> digits(const Columns<N, Bits>& a) {
+  Digits<N + 1, Bits> result{};
+  Int128 carry = 0;
   for (int i = 0; i < N; ++i) {
-    const UInt128 t = UInt128{a.limb[i]} + b.limb[i] + carry;
-    sum.limb[i] = static_cast<std::uint64_t>(t);
-    carry = static_cast<std::uint64_t>(t >> 64);
+    const Int128 column = a.column[i] + carry;
+    result.digit[i] = low_digit<Bits>(column);
+    carry = column >> Bits;
   }
+  result.digit[N] = static_cast<std::int64_t>(carry);
+  return result;
+}
+
+template <int N, int Bits>
+constexpr const Digits<N, Bits>& digits(const Digits<N, Bits>& a) {
+  return a;
+}
+
+template <int N, int M, int Bits>
+constexpr Columns<N + M - 1, Bits> product(const Digits<N, Bits>& a, const Digits<M, Bits>& b) {
+  Columns<N + M - 1, Bits> result{};
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j < M; ++j) result.column[i + j] += Int128{a.digit[i]} * b.digit[j];
+  }
+  return result;
+}
+
+template <int N, int M, int Bits>
+constexpr auto operator*(const Digits<N, Bits>& a, const Digits<M, Bits>& b) {
+  return product(a, b);
+}
+template <int N, int M, int Bits>
+constexpr auto operator*(const Columns<N, Bits>& a, const Digits<M, Bits>& b) {
+  return product(digits(a), b);
+}
+template <int N, int M, int Bits>
+constexpr auto operator*(const Columns<N, Bits>& a, const Columns<M, Bits>& b) {
+  return product(digits(a), digits(b));
+}
+
+template <int N, int Bits>
+constexpr Columns<N, Bits> operator+(const Columns<N, Bits>& a, const Columns<N, Bits>& b) {
+  Columns<N, Bits> sum{};
+  for (int i = 0; i < N; ++i) sum.column[i] = a.column[i] + b.column[i];
   return sum;
 }
 
-template <int N>
-constexpr FixedInteger<N> operator-(const FixedInteger<N>& a, const FixedInteger<N>& b) {
-  FixedInteger<N> difference{};
-  std::uint64_t borrow = 0;
-  for (int i = 0; i < N; ++i) {
-    const UInt128 t = UInt128{a.limb[i]} - b.limb[i] - borrow;
-    difference.limb[i] = static_cast<std::uint64_t>(t);
-    borrow = static_cast<std::uint64_t>(t >> 64) & 1;
-  }
+template <int N, int Bits>
+constexpr Columns<N, Bits> operator-(const Columns<N, Bits>& a, const Columns<N, Bits>& b) {
+  Columns<N, Bits> difference{};
+  for (int i = 0; i < N; ++i) difference.column[i] = a.column[i] - b.column[i];
   return difference;
 }
 
-/// Subtracts b * 2^(64 * (N - M)) & mask from a, modulo 2^(64 * N).
-template <int N, int M>
-constexpr void subtract_from_top(FixedInteger<N>& a, const FixedInteger<M>& b, std::uint64_t mask) {
-  std::uint64_t borrow = 0;
-  for (int i = 0; i < M; ++i) {
-    const UInt128 t = UInt128{a.limb[N - M + i]} - (b.limb[i] & mask) - borrow;
-    a.limb[N - M + i] = static_cast<std::uint64_t>(t);
-    borrow = static_cast<std::uint64_t>(t >> 64) & 1;
-  }
-}
-
-/// The exact product: schoolbook on the limbs as unsigned, then a correction for negative factors.
-template <int N, int M>
-constexpr FixedInteger<N + M> operator*(const FixedInteger<N>& a, const FixedInteger<M>& b) {
-  FixedInteger<N + M> product{};
+template <int N, int Bits>
+constexpr int sign_of(const Columns<N, Bits>& a) {
+  Int128 top = 0;
+  std::int64_t below = 0;
   for (int i = 0; i < N; ++i) {
-    std::uint64_t carry = 0;
-    for (int j = 0; j < M; ++j) {
-      const UInt128 t = UInt128{a.limb[i]} * b.limb[j] + product.limb[i + j] + carry;
-      product.limb[i + j] = static_cast<std::uint64_t>(t);
-      carry = static_cast<std::uint64_t>(t >> 64);
-    }
-    product.limb[i + M] = carry;
+    below |= i == 0 ? 0 : low_digit<Bits>(top);
+    top = (i == 0 ? 0 : top >> Bits) + a.column[i];
   }
-  subtract_from_top(product, b, sign_limb(a));
-  subtract_from_top(product, a, sign_limb(b));
-  return product;
+  return top != 0 ? sign_of(top) : below != 0;
 }
 
-template <int N, int M>
-constexpr FixedInteger<N + M> wide_product(const FixedInteger<N>& a, const FixedInteger<M>& b) {
+template <class A, class B>
+constexpr auto wide_product(const A& a, const B& b) -> decltype(a * b) {
   return a * b;
-}
-
-template <int N>
-constexpr int sign_of(const FixedInteger<N>& a) {
-  if (a.negative()) return -1;
-  std::uint64_t any = 0;
-  for (const std::uint64_t limb : a.limb) any |= limb;
-  return any != 0;
 }
 
 }  // namespace wellspaced

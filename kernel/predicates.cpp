@@ -4,14 +4,9 @@
 
 namespace wellspaced::predicate_exact {
 
-int orient2d(Point2 a, Point2 b, Point2 c) { return exact::orient2d(a, b, c); }
-
-int incircle(Point2 a, Point2 b, Point2 c, Point2 d) { return exact::incircle(a, b, c, d); }
-
-int orient3d(Point3 a, Point3 b, Point3 c, Point3 d) { return exact::orient3d(a, b, c, d); }
-
-int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e) {
-  return exact::insphere(a, b, c, d, e);
-}
+int orient2d(const std::array<double, 6>& x) { return exact::orient2d(x); }
+int incircle(const std::array<double, 8>& x) { return exact::incircle(x); }
+int orient3d(const std::array<double, 12>& x) { return exact::orient3d(x); }
+int insphere(const std::array<double, 15>& x) { return exact::insphere(x); }
 
 }  // namespace wellspaced::predicate_exact

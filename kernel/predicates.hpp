@@ -17,6 +17,8 @@
 // Header-only use: define WELLSPACED_HEADER_ONLY in every source file, and link nothing.
 #pragma once
 
+#include <array>
+
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/predicate_filter.hpp"
 
@@ -26,15 +28,16 @@
 
 namespace wellspaced {
 
-/// Rungs 2 and 3: the exact sign without the filter, out of line.
+/// Rungs 2 and 3, out of line: the exact sign without the filter, for the points' coordinates one
+/// after the other.
 namespace predicate_exact {
 #ifdef WELLSPACED_HEADER_ONLY
 using exact::incircle, exact::insphere, exact::orient2d, exact::orient3d;
 #else
-int orient2d(Point2 a, Point2 b, Point2 c);
-int incircle(Point2 a, Point2 b, Point2 c, Point2 d);
-int orient3d(Point3 a, Point3 b, Point3 c, Point3 d);
-int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e);
+int orient2d(const std::array<double, 6>& x);
+int incircle(const std::array<double, 8>& x);
+int orient3d(const std::array<double, 12>& x);
+int insphere(const std::array<double, 15>& x);
 #endif
 }  // namespace predicate_exact
 
@@ -42,7 +45,7 @@ int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e);
 /// on one line.
 inline int orient2d(Point2 a, Point2 b, Point2 c) {
   const int sign = predicate_filter::orient2d(a, b, c);
-  return sign != 0 ? sign : predicate_exact::orient2d(a, b, c);
+  return sign != 0 ? sign : predicate_exact::orient2d({a.x, a.y, b.x, b.y, c.x, c.y});
 }
 
 /// Positive when d lies inside the circle through a, b, c, negative outside, 0 on it.
@@ -51,14 +54,16 @@ inline int orient2d(Point2 a, Point2 b, Point2 c) {
 /// p = a, b, c: positive when d lies to the left of the circle of infinite radius.
 inline int incircle(Point2 a, Point2 b, Point2 c, Point2 d) {
   const int sign = predicate_filter::incircle(a, b, c, d);
-  return sign != 0 ? sign : predicate_exact::incircle(a, b, c, d);
+  return sign != 0 ? sign : predicate_exact::incircle({a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y});
 }
 
 /// The sign of det[a-d; b-d; c-d] (Shewchuk's convention: positive when d lies below the plane
 /// in which a, b, c appear counter-clockwise seen from above), 0 when they lie on one plane.
 inline int orient3d(Point3 a, Point3 b, Point3 c, Point3 d) {
   const int sign = predicate_filter::orient3d(a, b, c, d);
-  return sign != 0 ? sign : predicate_exact::orient3d(a, b, c, d);
+  return sign != 0 ? sign
+                   : predicate_exact::orient3d(
+                         {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
 }
 
 /// The sign of the determinant with rows (p-e, |p-e|^2), p = a, b, c, d: positive when e lies
@@ -66,7 +71,9 @@ inline int orient3d(Point3 a, Point3 b, Point3 c, Point3 d) {
 /// negative the sign is reversed.
 inline int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e) {
   const int sign = predicate_filter::insphere(a, b, c, d, e);
-  return sign != 0 ? sign : predicate_exact::insphere(a, b, c, d, e);
+  return sign != 0 ? sign
+                   : predicate_exact::insphere({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x,
+                                                d.y, d.z, e.x, e.y, e.z});
 }
 
 }  // namespace wellspaced

@@ -133,7 +133,7 @@ TYPED_TEST(Predicate, IsExactAtTheLimitsOfTheDoubles) {
                            1.0,
                            0x1.fffffffffffffp-1};
   Random random(6);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     typename TypeParam::Coordinates x;
     for (double& value : x) value = limits[random.below(std::size(limits))];
     expect_all_rungs_exact<TypeParam>(x);
@@ -158,9 +158,9 @@ TYPED_TEST(Predicate, IsDecidedByFixedIntegersOnGrids) {
 TYPED_TEST(Predicate, LeavesToBigIntegersWhatSpansMoreBitsThanAnyFixedWidth) {
   typename TypeParam::Coordinates x{};
   x[0] = 1;
-  x[1] = 0x1p-125;
+  x[1] = 0x1p-119;
   EXPECT_FALSE(TypeParam::fixed(x));
-  x[1] = 0x1p-124;
+  x[1] = 0x1p-118;
   EXPECT_TRUE(TypeParam::fixed(x));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -108,18 +109,22 @@ class SlowInteger {
 
 using SlowMatrix = std::vector<std::vector<SlowInteger>>;
 
-/// The determinant, by expansion along the first row.
+/// The determinant, by expansion along the rows: that of the last rows on each set of columns, from
+/// those on the sets with one column less.
 inline SlowInteger slow_determinant(const SlowMatrix& m) {
-  if (m.size() == 1) return m[0][0];
-  SlowInteger sum;
-  for (std::size_t column = 0; column < m.size(); ++column) {
-    if (m[0][column].sign() == 0) continue;
-    SlowMatrix minor(m.begin() + 1, m.end());
-    for (auto& row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
-    const SlowInteger term = m[0][column] * slow_determinant(minor);
-    sum = column % 2 == 0 ? sum + term : sum - term;
+  std::vector<SlowInteger> on_columns(std::size_t{1} << m.size());
+  on_columns[0] = 1;
+  for (unsigned set = 1; set < on_columns.size(); ++set) {
+    const auto& row = m[m.size() - static_cast<std::size_t>(std::popcount(set))];
+    bool negative = false;
+    for (unsigned column = 0; column < m.size(); ++column) {
+      if ((set >> column) % 2 == 0) continue;
+      const SlowInteger term = row[column] * on_columns[set ^ (1u << column)];
+      on_columns[set] = negative ? on_columns[set] - term : on_columns[set] + term;
+      negative = !negative;
+    }
   }
-  return sum;
+  return on_columns.back();
 }
 
 }  // namespace wellspaced::testing
