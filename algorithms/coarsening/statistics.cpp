@@ -71,4 +71,14 @@ std::optional<double> gradation(const TriangleMesh& mesh) {
   return 0.5 * binary_logarithm(longest_sq / shortest_sq);
 }
 
+LevelStatistics mesh_statistics(const TriangleMesh& mesh) {
+  LevelStatistics result;
+  result.nodes = mesh.points.size();
+  result.triangles = mesh.triangles.size();
+  result.boundary_edges = mesh.segments.size();
+  result.angles = angle_statistics(mesh);
+  result.gradation = gradation(mesh);
+  return result;
+}
+
 }  // namespace wellspaced

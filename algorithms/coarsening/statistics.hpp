@@ -26,4 +26,25 @@ AngleStatistics angle_statistics(const TriangleMesh& mesh);
 /// Returns: empty for a mesh without triangles; infinity where an edge has no length.
 std::optional<double> gradation(const TriangleMesh& mesh);
 
+/// The mean and the largest of a count.
+struct MeanAndMax {
+  double mean = 0;
+  std::size_t max = 0;
+};
+
+/// One row of the tables of chapter 8. What was not measured is empty.
+///
+/// intersection: triangles of the next finer level that a triangle of this level overlaps.
+/// path_depth: edges on the shortest path from a node to the one that gave it its spacing.
+/// search: nodes inspected per selected node. edge_search: nodes inspected per protected edge.
+struct LevelStatistics {
+  std::size_t nodes = 0, triangles = 0, boundary_edges = 0;
+  AngleStatistics angles;
+  std::optional<double> gradation;
+  std::optional<MeanAndMax> intersection, path_depth, search, edge_search;
+};
+
+/// What the level's mesh alone tells: sizes, angles and gradation. Requirements and cost as above.
+LevelStatistics mesh_statistics(const TriangleMesh& mesh);
+
 }  // namespace wellspaced
