@@ -1,0 +1,282 @@
+#include "wellspaced/io/formats/formats.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "wellspaced/io/formats/point_files.hpp"
+#include "wellspaced/io/formats/triangle_files.hpp"
+#include "wellspaced/io/formats/triangle_text.hpp"
+#include "wellspaced/io/formats/vtk.hpp"
+#include "wellspaced/io/pictures/svg.hpp"
+#include "wellspaced/io/text/scanner.hpp"
+
+namespace wellspaced {
+namespace {
+
+Error usage(std::string message) { return {ErrorCode::kUsage, std::move(message), {}}; }
+
+// A header "count dimension attributes markers", and how many lines of fields follow it.
+bool has_node_header(std::string_view text) {
+  Scanner scanner(text, "");
+  if (!scanner.next_line() || scanner.count_fields() != 4) return false;
+  scanner.integer("count");
+  const std::int64_t dimension = scanner.integer("dimension");
+  return scanner.ok() && (dimension == 2 || dimension == 3);
+}
+
+std::uint64_t count_lines(std::string_view text) {
+  Scanner scanner(text, "");
+  std::uint64_t lines = 0;
+  while (scanner.next_line()) ++lines;
+  return lines;
+}
+
+std::uint64_t announced_points(std::string_view text) {
+  Scanner scanner(text, "");
+  scanner.next_line();
+  return static_cast<std::uint64_t>(scanner.integer("count"));
+}
+
+bool recognise_node(std::string_view text) {
+  return has_node_header(text) && count_lines(text) <= announced_points(text) + 1;
+}
+
+bool recognise_poly(std::string_view text) { return has_node_header(text); }
+
+bool recognise_xyz(std::string_view text) {
+  Scanner scanner(text, "");
+  if (!scanner.next_line()) return true;
+  const std::size_t fields = scanner.count_fields();
+  return fields == 2 || fields == 3;
+}
+
+Result<Geometry> parse_poly_alone(std::string_view text, const std::string& name) {
+  return parse_poly(text, name);
+}
+
+template <void (*kWrite)(TextWriter&, const Geometry&)>
+Status write_one(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+  return outputs.add(path, [&](TextWriter& out) { kWrite(out, geometry); });
+}
+
+// A domain goes into one file; the .poly of a mesh has its .node beside it.
+Status write_poly_or_set(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+  if (geometry.has_cells()) return write_triangle_set(outputs, path, geometry);
+  if (geometry.dimension == 2) return write_poly_file(outputs, path, geometry);
+  return usage(path + ": a .poly file has no place for points in space");
+}
+
+Status write_set(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+  if (path == "-") return write_one<write_node>(outputs, path, geometry);
+  return write_triangle_set(outputs, path, geometry);
+}
+
+// Numbers every column of attributes: "attribute0", ... Segments, which come after the cells in
+// the grid, have none: 0.
+void add_attributes(std::vector<VtkField>& fields, const Attributes& attributes,
+                    std::size_t values) {
+  for (Index column = 0; column < attributes.columns; ++column) {
+    std::vector<double> field;
+    for (std::size_t i = column; i < attributes.values.size(); i += attributes.columns)
+      field.push_back(attributes.values[i]);
+    field.resize(values);
+    fields.push_back({"attribute" + std::to_string(column), std::move(field)});
+  }
+}
+
+VtkGrid grid_of(const Geometry& geometry) {
+  VtkGrid grid = geometry.dimension == 2 ? vtk_grid(geometry.mesh) : vtk_grid(geometry.solid);
+  add_attributes(grid.point_fields, geometry.point_attributes, grid.points.size());
+  add_attributes(grid.cell_fields, geometry.cell_attributes, grid.types.size());
+  return grid;
+}
+
+template <VtuEncoding kEncoding>
+void write_as_vtu(TextWriter& out, const Geometry& geometry) {
+  write_vtu(out, grid_of(geometry), kEncoding);
+}
+
+template <VtkEncoding kEncoding>
+Status write_as_vtk(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+  constexpr std::size_t kMostPoints = 0x7FFFFFFF;  // legacy files count with 32 bits
+  if (geometry.point_count() > kMostPoints)
+    return usage(path + ": a legacy VTK file holds 2147483647 points at most; write .vtu");
+  const VtkGrid grid = grid_of(geometry);
+  return outputs.add(path, [&](TextWriter& out) { write_vtk(out, grid, kEncoding); });
+}
+
+Status write_as_svg(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+  if (geometry.dimension != 2) return usage(path + ": only what is in the plane can be drawn");
+  return outputs.add(path, [&](TextWriter& out) { write_mesh_svg(out, geometry.mesh); });
+}
+
+// In the order in which contents are tried. To add a format, add a line.
+constexpr std::array<Format, 9> kFormats = {{
+    {"triangle", ".node .ele .edge", "Triangle's .node, .ele, .poly together", parse_node,
+     recognise_node, write_set},
+    {"poly", ".poly", "Triangle's planar straight-line graph", parse_poly_alone, recognise_poly,
+     write_poly_or_set},
+    {"f64", ".f64", "points as little-endian doubles", parse_f64, looks_like_f64,
+     write_one<write_f64>},
+    {"xyz", ".xyz", "points, one a line", parse_xyz, recognise_xyz, write_one<write_xyz>},
+    {"vtu", ".vtu", "VTK XML, base64", nullptr, nullptr,
+     write_one<write_as_vtu<VtuEncoding::kBase64>>},
+    {"vtu-ascii", "", "VTK XML, plain text", nullptr, nullptr,
+     write_one<write_as_vtu<VtuEncoding::kAscii>>},
+    {"vtu-raw", "", "VTK XML, raw binary", nullptr, nullptr,
+     write_one<write_as_vtu<VtuEncoding::kRaw>>},
+    {"vtk", ".vtk", "legacy VTK, plain text", nullptr, nullptr, write_as_vtk<VtkEncoding::kAscii>},
+    {"svg", ".svg", "a picture", nullptr, nullptr, write_as_svg},
+}};
+
+bool has_word(std::string_view list, std::string_view word) {
+  for (std::size_t at = list.find(word); at != std::string_view::npos;
+       at = list.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' ')) return true;
+  }
+  return false;
+}
+
+const Format* find_by_name(std::string_view name) {
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(),
+                                  [&](const Format& format) { return format.name == name; });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+const Format* find_by_extension(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::size_t dot = path.find_last_of('.');
+  if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return nullptr;
+  const std::string_view extension = std::string_view(path).substr(dot);
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+    return has_word(format.extensions, extension);
+  });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+const Format* find_by_content(std::string_view text) {
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+    return format.recognise != nullptr && format.recognise(text);
+  });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+std::string names_of(bool (*wanted)(const Format&)) {
+  std::string names;
+  for (const Format& format : kFormats)
+    if (wanted(format)) names += (names.empty() ? "" : ", ") + std::string(format.name);
+  return names;
+}
+
+std::string readable_names() {
+  return names_of([](const Format& format) { return format.parse != nullptr; });
+}
+
+std::string writable_names() {
+  return names_of([](const Format& format) { return format.write != nullptr; });
+}
+
+Result<Geometry> parse_text(const std::string& text, const std::string& path,
+                            const Format* format) {
+  if (format == nullptr) format = find_by_content(text);
+  if (format != nullptr) return format->parse(text, display_name(path));
+  return Error{ErrorCode::kUnreadable,
+               display_name(path) + ": is in no format that is known: " + readable_names(),
+               {}};
+}
+
+void note_preparation(const MeshPreparation& found, const std::string& name, Geometry& geometry) {
+  const auto note = [&](std::uint64_t count, const char* what) {
+    if (count > 0) geometry.notes.push_back(name + ": " + std::to_string(count) + what);
+  };
+  if (found.turned)
+    geometry.notes.push_back(name + ": all triangles were clockwise and have been turned");
+  note(found.unused_points, " points are in no triangle");
+  note(found.repeated_segments, " segments are listed more than once");
+}
+
+bool exists(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error);
+}
+
+// The set X may be named without an extension.
+std::string resolved(const std::string& path) {
+  if (path == "-" || exists(path)) return path;
+  for (const char* extension : {".node", ".poly"})
+    if (exists(path + extension)) return path + extension;
+  return path;
+}
+
+}  // namespace
+
+std::span<const Format> formats() { return kFormats; }
+
+Result<Geometry> read_geometry(const std::string& given, const ReadOptions& options) {
+  const std::string path = resolved(given);
+  const Format* format =
+      options.format.empty() ? find_by_extension(path) : find_by_name(options.format);
+  if (!options.format.empty() && format == nullptr)
+    return usage("unknown format " + in_quotes(options.format) + "; there are " + readable_names());
+  if (format != nullptr && format->parse == nullptr)
+    return usage(display_name(path) + ": " + std::string(format->name) +
+                 " files cannot be read; readable are " + readable_names());
+  if (options.format.empty() && triangle_set_name(path) != path)
+    return options.siblings == Siblings::kRead ? read_triangle_set(path, options.largest)
+                                               : read_triangle_file(path, options.largest);
+  const auto text = read_input(path, options.largest);
+  if (!text) return text.error();
+  return parse_text(*text, path, format);
+}
+
+Status prepare_geometry(Geometry& geometry, const std::string& name) {
+  if (geometry.dimension != 2 || geometry.mesh.triangles.empty())
+    return Error{ErrorCode::kUnreadable,
+                 name + ": holds no triangles (a mesh X is read from X.node and X.ele)",
+                 {}};
+  const auto found = prepare_mesh(geometry.mesh, geometry.index_base);
+  if (!found)
+    return Error{found.error().code, name + ": " + found.error().message, found.error().ids};
+  note_preparation(*found, name, geometry);
+  return Ok{};
+}
+
+Result<Geometry> read_mesh(const std::string& path, const ReadOptions& options) {
+  auto geometry = read_geometry(path, options);
+  if (!geometry) return geometry;
+  if (Status status = prepare_geometry(*geometry, display_name(path)); !status)
+    return status.error();
+  return geometry;
+}
+
+Pslg to_pslg(Geometry geometry) {
+  return {std::move(geometry.mesh.points), std::move(geometry.mesh.segments),
+          std::move(geometry.holes), std::move(geometry.regions),
+          std::move(geometry.mesh.point_markers)};
+}
+
+Geometry to_geometry(TriangleMesh mesh, Index index_base) {
+  Geometry geometry;
+  geometry.mesh = std::move(mesh);
+  geometry.index_base = index_base;
+  return geometry;
+}
+
+Status write_geometry(OutputSet& outputs, const std::string& path, const std::string& format_name,
+                      const Geometry& geometry) {
+  const Format* const format =
+      format_name.empty() ? find_by_extension(path) : find_by_name(format_name);
+  if (format == nullptr && format_name.empty())
+    return usage(path +
+                 ": no format has this extension; name one with --format: " + writable_names());
+  if (format == nullptr || format->write == nullptr)
+    return usage("cannot write format " + in_quotes(format_name) + "; there are " +
+                 writable_names());
+  return format->write(outputs, path, geometry);
+}
+
+}  // namespace wellspaced

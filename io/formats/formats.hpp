@@ -1,0 +1,65 @@
+// All file formats by name, extension and content: the one place that knows them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "wellspaced/algorithms/mesh/prepare_mesh.hpp"
+#include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/io/files/output_set.hpp"
+#include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/kernel/result.hpp"
+
+namespace wellspaced {
+
+/// A file format. What it cannot do is null.
+struct Format {
+  std::string_view name;        ///< as in --format
+  std::string_view extensions;  ///< ".node .ele": those that stand for it
+  std::string_view about;       ///< one line for the help
+  /// Reads one whole text; `name` is for messages.
+  Result<Geometry> (*parse)(std::string_view text, const std::string& name);
+  /// Whether a text of unknown origin seems to be in this format.
+  bool (*recognise)(std::string_view text);
+  Status (*write)(OutputSet& outputs, const std::string& path, const Geometry& geometry);
+};
+std::span<const Format> formats();
+
+/// What the name of a file of Triangle's stands for: the file alone, or all files of its set.
+enum class Siblings { kIgnored, kRead };
+
+struct ReadOptions {
+  std::string format;                     ///< empty: by extension, else by content
+  Siblings siblings = Siblings::kRead;    ///< a .poly without points reads its .node in any case
+  std::uint64_t largest = kLargestInput;  ///< of one file, in bytes
+};
+
+/// Reads points, a domain or a mesh, in any format; "-" is the standard input. Where there is no
+/// file "X", but X.node or X.poly, these are read.
+/// Errors: kUnreadable, kInvalidGeometry and kLimit as the readers say; kUsage for a format that
+/// does not exist or cannot be read.
+Result<Geometry> read_geometry(const std::string& path, const ReadOptions& options = {});
+
+/// Checks and completes the triangle mesh of `geometry`: see prepare_mesh(). What a user should
+/// know (turned triangles, points in no triangle) joins its notes. `name` is for messages.
+Status prepare_geometry(Geometry& geometry, const std::string& name);
+
+/// Reads a triangle mesh in the plane and prepares it.
+/// Errors: also kUnreadable where the file holds no triangles.
+Result<Geometry> read_mesh(const std::string& path, const ReadOptions& options = {});
+
+/// The domain that a geometry in the plane describes; its triangles are left out.
+Pslg to_pslg(Geometry geometry);
+
+/// Writes to `path` in the format of that name, or of its extension where `format` is empty.
+/// Errors: kUsage for a format that does not exist, cannot be written or has no place for the
+/// geometry; kUsage and kLimit as OutputSet::add().
+Status write_geometry(OutputSet& outputs, const std::string& path, const std::string& format,
+                      const Geometry& geometry);
+
+/// A mesh as a geometry, to be written with the given index base.
+Geometry to_geometry(TriangleMesh mesh, Index index_base = 0);
+
+}  // namespace wellspaced

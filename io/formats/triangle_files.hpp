@@ -1,0 +1,36 @@
+// Sets of files in Triangle's and TetGen's formats: X.node, X.ele, X.poly and X.edge together.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/io/files/output_set.hpp"
+#include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/kernel/result.hpp"
+
+namespace wellspaced {
+
+/// Reads the set that `path`, one of its files, stands for: those of X.node, X.poly, X.ele and
+/// X.edge that exist. Points come from X.node, or from X.poly where there is no X.node; if both
+/// hold points, those of X.poly must be the first ones of X.node. Segments come from X.poly, or
+/// else are the edges of X.edge with a marker other than 0.
+/// Errors: as the readers of triangle_text.hpp; kUnreadable if `path` is missing or nothing holds
+/// points.
+Result<Geometry> read_triangle_set(const std::string& path, std::uint64_t largest = kLargestInput);
+
+/// Reads the one file `path`: a .node, or a .poly (which may refer to its .node).
+Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t largest = kLargestInput);
+
+/// Writes the set that `path`, with or without the extension of a file of it, stands for: the
+/// .node, the .ele where there are triangles or tetrahedra, and the .poly where there is anything
+/// for it. An extension .edge adds the file of all edges.
+Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry);
+
+/// Writes a domain as one .poly file with its points.
+Status write_poly_file(OutputSet& outputs, const std::string& path, const Geometry& geometry);
+
+/// "dir/X" for "dir/X.node", "dir/X.ele", "dir/X.poly", "dir/X.edge"; anything else as it is.
+std::string triangle_set_name(const std::string& path);
+
+}  // namespace wellspaced

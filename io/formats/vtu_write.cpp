@@ -1,0 +1,145 @@
+#include <concepts>
+#include <functional>
+
+#include "wellspaced/io/formats/vtk.hpp"
+#include "wellspaced/io/text/base64.hpp"
+#include "wellspaced/io/text/bytes.hpp"
+
+namespace wellspaced {
+namespace {
+
+template <class T>
+constexpr std::string_view type_name() {
+  if constexpr (std::same_as<T, double>) return "Float64";
+  if constexpr (std::same_as<T, std::int64_t>) return "Int64";
+  if constexpr (std::same_as<T, std::int32_t>) return "Int32";
+  return "UInt8";
+}
+
+std::string xml_escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(c) < 0x20 ? '_' : c;
+    }
+  }
+  return result;
+}
+
+// Writes the arrays of one file; appended ones wait for the end.
+class VtuWriter {
+ public:
+  VtuWriter(TextWriter& out, VtuEncoding encoding) : out_(out), encoding_(encoding) {}
+
+  void write(const VtkGrid& grid);
+
+ private:
+  template <class T>
+  void write_array(std::string_view name, std::size_t components, const std::vector<T>& values);
+  template <class T>
+  void write_ascii(const std::vector<T>& values);
+  template <class T>
+  static std::string encode(const std::vector<T>& values);
+  void write_fields(std::string_view element, const std::vector<VtkField>& fields);
+
+  TextWriter& out_;
+  VtuEncoding encoding_;
+  std::uint64_t appended_size_ = 0;
+  std::vector<std::function<std::string()>> appended_;
+};
+
+template <class T>
+std::string VtuWriter::encode(const std::vector<T>& values) {
+  std::string bytes;
+  bytes.reserve(8 + values.size() * sizeof(T));
+  append_bytes(bytes, std::uint64_t{values.size() * sizeof(T)});
+  for (const T value : values) append_bytes(bytes, value);
+  return bytes;
+}
+
+template <class T>
+void VtuWriter::write_ascii(const std::vector<T>& values) {
+  constexpr std::size_t kPerLine = 12;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    out_ << values[i] << (i % kPerLine == kPerLine - 1 ? '\n' : ' ');
+}
+
+template <class T>
+void VtuWriter::write_array(std::string_view name, std::size_t components,
+                            const std::vector<T>& values) {
+  out_ << "<DataArray type=\"" << type_name<T>() << "\" Name=\"" << xml_escaped(name) << '"';
+  if (components > 1) out_ << " NumberOfComponents=\"" << components << '"';
+  switch (encoding_) {
+    case VtuEncoding::kAscii:
+      out_ << " format=\"ascii\">\n";
+      write_ascii(values);
+      out_ << "\n</DataArray>\n";
+      break;
+    case VtuEncoding::kBase64:
+      out_ << " format=\"binary\">\n" << base64(encode(values)) << "\n</DataArray>\n";
+      break;
+    case VtuEncoding::kRaw:
+      out_ << " format=\"appended\" offset=\"" << appended_size_ << "\"/>\n";
+      appended_size_ += 8 + values.size() * sizeof(T);
+      appended_.push_back([&values] { return encode(values); });
+      break;
+  }
+}
+
+void VtuWriter::write_fields(std::string_view element, const std::vector<VtkField>& fields) {
+  out_ << '<' << element << ">\n";
+  for (const VtkField& field : fields)
+    std::visit([&](const auto& values) { write_array(field.name, 1, values); }, field.values);
+  out_ << "</" << element << ">\n";
+}
+
+std::vector<double> coordinates(const std::vector<Point3>& points) {
+  std::vector<double> result;
+  result.reserve(3 * points.size());
+  for (const Point3& p : points) result.insert(result.end(), {p.x, p.y, p.z});
+  return result;
+}
+
+void VtuWriter::write(const VtkGrid& grid) {
+  const std::vector<double> points = coordinates(grid.points);
+  out_ << "<?xml version=\"1.0\"?>\n"
+          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+          "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
+       << grid.points.size() << "\" NumberOfCells=\"" << grid.types.size() << "\">\n<Points>\n";
+  write_array("Points", 3, points);
+  out_ << "</Points>\n<Cells>\n";
+  write_array("connectivity", 1, grid.connectivity);
+  write_array("offsets", 1, grid.offsets);
+  write_array("types", 1, grid.types);
+  out_ << "</Cells>\n";
+  write_fields("PointData", grid.point_fields);
+  write_fields("CellData", grid.cell_fields);
+  out_ << "</Piece>\n</UnstructuredGrid>\n";
+  if (encoding_ == VtuEncoding::kRaw) {
+    out_ << "<AppendedData encoding=\"raw\">\n_";
+    for (const auto& array : appended_) out_ << array();
+    out_ << "\n</AppendedData>\n";
+  }
+  out_ << "</VTKFile>\n";
+}
+
+}  // namespace
+
+void write_vtu(TextWriter& out, const VtkGrid& grid, VtuEncoding encoding) {
+  VtuWriter(out, encoding).write(grid);
+}
+
+}  // namespace wellspaced

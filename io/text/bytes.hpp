@@ -1,0 +1,30 @@
+// Numbers as bytes in a given order, whatever the machine's own.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace wellspaced {
+
+/// Appends the bytes of `value` in the order `order`.
+template <class T>
+void append_bytes(std::string& bytes, T value, std::endian order = std::endian::little) {
+  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+/// The value of the bytes from `offset` on. Requires: sizeof(T) bytes are there.
+template <class T>
+T read_bytes(std::string_view bytes, std::size_t offset, std::endian order = std::endian::little) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), bytes.data() + offset, sizeof(T));
+  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<T>(raw);
+}
+
+}  // namespace wellspaced
