@@ -104,10 +104,17 @@ bool Delaunay2::ghost_in_conflict(Index t, Point2 p) const {
   return strictly_between(points_[topology_.origin(hull)], p, points_[topology_.destination(hull)]);
 }
 
-bool Delaunay2::in_conflict(Index t, Point2 p) const {
+inline bool Delaunay2::in_conflict(Index t, Point2 p) const {
   if (topology_.is_ghost(t)) return ghost_in_conflict(t, p);
   const auto& v = topology_.vertices(t);
   return incircle(points_[v[0]], points_[v[1]], points_[v[2]], p) > 0;
+}
+
+bool Delaunay2::is_locally_delaunay(Edge e) const {
+  const Edge m = topology_.mirror(e);
+  const Index far = topology_.apex(m);
+  if (topology_.is_constrained(e) || far == kGhost) return true;
+  return topology_.is_ghost(e.triangle) || !in_conflict(e.triangle, points_[far]);
 }
 
 // Collects the triangles in conflict with p that are connected to `root`, which is one of them,

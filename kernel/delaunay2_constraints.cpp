@@ -149,13 +149,6 @@ void Delaunay2::remove_constraint(Edge e) {
   restore_delaunay(std::array{e.triangle});
 }
 
-bool Delaunay2::is_locally_delaunay(Edge e) const {
-  const Edge m = topology_.mirror(e);
-  const Index far = topology_.apex(m);
-  if (topology_.is_constrained(e) || far == Triangulation2::kGhost) return true;
-  return topology_.is_ghost(e.triangle) || !in_conflict(e.triangle, points_[far]);
-}
-
 // Lawson's flips, beginning with the edges of `triangles`. They end: each flip lowers the surface
 // over the triangulation on the paraboloid.
 void Delaunay2::restore_delaunay(std::span<const Index> triangles) {
