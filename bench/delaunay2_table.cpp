@@ -91,6 +91,8 @@ const std::vector<Row> kRows = {
     {"50k collinear + 1", 0, [] { return points_only(collinear_points_and_one(50000)); }},
     {"100k copies of 10", 0, [] { return points_only(repeated_points(100000, 10, 1)); }},
     {"20k on a parabola", 0, [] { return points_only(parabola_points(20000)); }},
+    {"uniform 100k", 0, [] { return points_only(random_points(100000, 1)); }},
+    {"uniform 10M", 0, [] { return points_only(random_points(10000000, 1)); }},
     {"spiral 100k over 2^40", 0, [] { return points_only(spiral_points(100000, 40)); }},
 };
 
@@ -178,14 +180,13 @@ Times measure(const Pslg& graph, int runs) {
   return {median(ours), median(peer), our_count != 0 && our_count == peer_count};
 }
 
-void print_row(const Row& row, int runs, double& uniform) {
+void print_row(const Row& row, int runs, double bytes, double& uniform) {
   const Pslg graph = row.make();
   const double n = static_cast<double>(graph.points.size());
-  const double bytes = peak_growth([&] { triangulate_ours(graph); }) / n;
   const Times times = measure(graph, runs);
   const double per_point = times.ours / n;
   if (uniform == 0) uniform = per_point;
-  std::printf("%-30s %8.0f %7.0f %9.3f", row.name.c_str(), n, bytes, per_point / uniform);
+  std::printf("%-30s %8.0f %7.0f %9.3f", row.name.c_str(), n, bytes / n, per_point / uniform);
   if (times.peer > 0)
     std::printf(" %9.3f", times.ours / times.peer);
   else
@@ -206,7 +207,10 @@ int main(int argc, char** argv) {
   const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
   std::printf("%-30s %8s %7s %9s %9s %9s  %s\n", "2D (median CPU of interleaved runs)", "points",
               "B/point", "t/uniform", "t/CGAL", "reach", "triangles");
+  std::vector<double> bytes;  // before anything else is allocated and freed here
+  for (const Row& row : kRows) bytes.push_back(peak_growth(row.make, triangulate_ours));
   double uniform = 0;
-  for (const Row& row : kRows)
-    if (argc <= 2 || row.name.find(argv[2]) != std::string::npos) print_row(row, runs, uniform);
+  for (std::size_t i = 0; i < kRows.size(); ++i)
+    if (argc <= 2 || kRows[i].name.find(argv[2]) != std::string::npos)
+      print_row(kRows[i], runs, bytes[i], uniform);
 }

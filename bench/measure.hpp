@@ -1,13 +1,14 @@
 // What the comparison tables share: interleaved CPU times, medians, and peak memory of a child.
 #pragma once
 
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <vector>
 
 namespace wellspaced::bench {
@@ -32,24 +33,40 @@ inline double median(std::vector<double> values) {
   return *middle;
 }
 
-inline double peak_resident_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+/// A figure in kB from /proc/self/status, in bytes; -1 where there is none.
+inline double status_bytes(const char* key) {
+  std::FILE* file = std::fopen("/proc/self/status", "r");
+  double kilobytes = -1. / 1024;
+  char line[256];
+  while (file != nullptr && std::fgets(line, sizeof line, file) != nullptr)
+    if (std::strncmp(line, key, std::strlen(key)) == 0)
+      kilobytes = std::atof(line + std::strlen(key));
+  if (file != nullptr) std::fclose(file);
+  return 1024 * kilobytes;
 }
 
-/// How many bytes the peak resident set of a fresh child process grows by in one call.
-/// The child forks with the caller's memory resident, so the caller should hold little more than
-/// the call's input: what was freed before may be reused without growing the set.
-template <class Call>
-double peak_growth(Call&& call) {
+/// Lets the peak of the resident set start again from its present size.
+inline void reset_peak() {
+  if (std::FILE* file = std::fopen("/proc/self/clear_refs", "w")) {
+    std::fputs("5", file);
+    std::fclose(file);
+  }
+}
+
+/// By how many bytes the peak resident set exceeds the present one during call(make()), in a child
+/// process of its own that makes the input itself. To be asked before this process has freed much,
+/// since freed memory may be used again without showing.
+template <class Make, class Call>
+double peak_growth(Make&& make, Call&& call) {
   int ends[2];
   if (pipe(ends) != 0) return -1;
   const pid_t child = fork();
   if (child == 0) {
-    const double before = peak_resident_bytes();
-    call();
-    const double growth = peak_resident_bytes() - before;
+    const auto input = make();
+    reset_peak();
+    const double before = status_bytes("VmRSS:");
+    call(input);
+    const double growth = status_bytes("VmHWM:") - before;
     const bool written = write(ends[1], &growth, sizeof growth) == sizeof growth;
     _exit(written ? 0 : 1);
   }

@@ -55,6 +55,10 @@ Result<std::vector<Index>> Delaunay2::insert_constraint(Index a, Index b) {
   assert(dimension_ == 2 && a < points_.size() && b < points_.size());
   a = representative(a);
   b = representative(b);
+  if (const Edge e = find_edge(a, b); e.triangle != kNoIndex) {
+    topology_.set_constrained(e, true);
+    return std::vector<Index>{a, b};
+  }
   std::vector<Index> path{a};
   std::vector<Edge> crossed;
   while (path.back() != b) {
