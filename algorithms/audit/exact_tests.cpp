@@ -47,7 +47,9 @@ struct CircumcentreSide {
     const auto x = b_sq * cy - c_sq * by;
     const auto y = c_sq * bx - b_sq * cx;
     const auto half = wide_product(bx * cy - by * cx, px * qy - py * qx);
-    return sign_of((half + half) + (wide_product(y, qx - px) - wide_product(x, qy - py)));
+    const auto q_cross = wide_product(y, qx) - wide_product(x, qy);
+    const auto p_cross = wide_product(y, px) - wide_product(x, py);
+    return sign_of((half + half) + (q_cross - p_cross));
   }
 };
 
