@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "wellspaced/kernel/angle.hpp"
@@ -126,7 +127,7 @@ void Refinement::refine(const Candidate& candidate) {
   const Corners& corners = candidate.corners;
   if (delaunay_.topology().vertices(candidate.triangle) != corners) return;
   const Circle circle = circumcircle(point(corners[0]), point(corners[1]), point(corners[2]));
-  if (!is_too_large(circle, corners)) return;
+  if (!std::isfinite(circle.radius_sq) || !is_too_large(circle, corners)) return;
   const Index near = walk(candidate.triangle, circle.centre);
   if (near == kNoIndex) return;
   const Index next = static_cast<Index>(delaunay_.points().size());
