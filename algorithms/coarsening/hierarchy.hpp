@@ -1,0 +1,56 @@
+// A coarsening sequence: meshes from fine to coarse, tied together node by node.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "wellspaced/kernel/mesh.hpp"
+
+namespace wellspaced {
+
+/// How many nodes were inspected by searches.
+struct SearchCount {
+  std::size_t searches = 0, max = 0, total = 0;
+
+  void add(std::size_t inspected) {
+    ++searches;
+    max = std::max(max, inspected);
+    total += inspected;
+  }
+};
+
+/// What the step from a level to the next cost (section 8.4).
+struct CoarseningWork {
+  Index path_depth_max = 0;    ///< edges on paths of the shortest-path tree (CHOICES 14); kFunction
+  double path_depth_mean = 0;  ///< over all nodes
+  SearchCount selection;       ///< nodes inspected within 2 f / beta of each node that was
+                               ///< considered, the frontier included (CHOICES 2); kFunction
+  SearchCount edge_protection;
+};
+
+/// A mesh of the sequence.
+///
+/// mesh: its segments are all its boundary edges and inner segments; its fixed points are F.
+/// spacing: one value a node. kFunction: the level's coarsening function; kMis, and at level 0:
+///   half the shortest edge at the node.
+/// parent: for each node its number in the next finer level; empty at level 0.
+/// origin: for each node its number in the input mesh.
+/// Both ascend: a level's nodes keep the input's order.
+struct Level {
+  TriangleMesh mesh;
+  std::vector<double> spacing;
+  std::vector<Index> parent;
+  std::vector<Index> origin;
+  std::size_t reinstated = 0;       ///< boundary nodes taken back to keep the boundary intact
+  std::size_t dropped_outside = 0;  ///< nodes of the finer level that the new boundary left outside
+  std::optional<CoarseningWork> work;  ///< of the step to the next level; none from the last one
+};
+
+/// levels[0] is the input, its segments completed and its fixed points those used.
+struct Hierarchy {
+  std::vector<Level> levels;
+};
+
+}  // namespace wellspaced

@@ -1,0 +1,194 @@
+#include "wellspaced/algorithms/coarsening/level_step.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
+#include "wellspaced/algorithms/coarsening/contracted_boundary.hpp"
+#include "wellspaced/algorithms/coarsening/edge_protection.hpp"
+#include "wellspaced/algorithms/coarsening/level_triangulation.hpp"
+#include "wellspaced/algorithms/coarsening/node_order.hpp"
+#include "wellspaced/algorithms/coarsening/node_selection.hpp"
+#include "wellspaced/algorithms/spacing/graph_spacing.hpp"
+#include "wellspaced/kernel/local_search.hpp"
+#include "wellspaced/kernel/shortest_paths.hpp"
+
+namespace wellspaced {
+namespace {
+
+using Tell = std::function<bool(std::string_view)>;
+
+Error cancelled() { return {ErrorCode::kCancelled, "coarsening was cancelled", {}}; }
+
+bool is_function_based(const CoarseningOptions& options) {
+  return options.method == CoarseningMethod::kFunction;
+}
+
+// Section 8.3: the first level's factor makes up for the division of the spacing by beta.
+double level_factor(const CoarseningOptions& options, std::size_t level) {
+  return level == 1 ? options.factor * options.beta : options.factor;
+}
+
+double protection_ratio(const CoarseningOptions& options) {
+  return options.protect.value_or(is_function_based(options) ? 0.2 : 0.15);
+}
+
+void measure_paths(const Graph& graph, std::vector<double> start, double factor,
+                   std::span<const double> f, CoarseningWork& work) {
+  for (double& value : start) value *= factor;
+  const ShortestPathTree tree = shortest_path_tree(graph, start, f);
+  double sum = 0;
+  for (const Index depth : tree.depth) {
+    work.path_depth_max = std::max(work.path_depth_max, depth);
+    sum += depth;
+  }
+  if (!tree.depth.empty()) work.path_depth_mean = sum / static_cast<double>(tree.depth.size());
+}
+
+// Counts the nodes that a search of radius 2 f / beta inspects from every node considered.
+ConflictRule counting(ConflictRule rule, const Graph& graph, std::span<const double> f, double beta,
+                      SearchCount& count) {
+  const auto search = std::make_shared<LocalSearch>(graph);
+  return [=, &count](Index node, std::vector<Index>& conflicts) {
+    rule(node, conflicts);
+    search->run(
+        std::array{node}, [](Index, double) { return true; },
+        [&](Index, double d) { return d <= 2 * f[node] / beta; });
+    count.add(search->labelled());
+  };
+}
+
+ConflictRule conflict_rule(const Graph& graph, std::span<const double> f,
+                           const CoarseningOptions& options, CoarseningWork& work) {
+  if (!is_function_based(options)) return neighbor_conflicts(graph);
+  ConflictRule rule = function_conflicts(graph, f, options.beta);
+  return options.count_work ? counting(std::move(rule), graph, f, options.beta, work.selection)
+                            : rule;
+}
+
+std::vector<Index> interior_nodes(const Boundary& boundary) {
+  std::vector<Index> nodes;
+  for (Index v = 0; v < boundary.on_boundary.size(); ++v)
+    if (!boundary.on_boundary[v]) nodes.push_back(v);
+  return nodes;
+}
+
+// Returns how many.
+std::size_t drop_nodes_outside(const ContractedBoundary& contracted, std::span<const Point2> points,
+                               std::span<const Index> nodes, NodeSelection& selection) {
+  std::size_t dropped = 0;
+  for (const Index v : nodes) {
+    if (!selection.is_free(v) || !contracted.leaves_outside(points[v])) continue;
+    selection.invalidate(v);
+    ++dropped;
+  }
+  return dropped;
+}
+
+// Returns false when told to stop.
+bool select_in_order(std::span<const Index> order, NodeSelection& selection, const Tell& tell) {
+  constexpr std::size_t kNodesBetweenCalls = 1 << 16;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % kNodesBetweenCalls == 0 && !tell("select")) return false;
+    selection.select(order[i]);
+  }
+  return true;
+}
+
+// For each node of the finer level its number in the new one, or kNoIndex.
+std::vector<Index> numbering(std::span<const Index> parent, std::size_t finer_nodes) {
+  std::vector<Index> number(finer_nodes, kNoIndex);
+  for (Index v = 0; v < parent.size(); ++v) number[parent[v]] = v;
+  return number;
+}
+
+std::vector<ConstrainedEdge> constraints(const Boundary& boundary,
+                                         std::span<const ContractedEdge> edges,
+                                         std::span<const Index> number) {
+  std::vector<ConstrainedEdge> result;
+  for (const ContractedEdge& edge : edges) {
+    const bool is_domain = boundary.curves[edge.curve].kind == BoundaryCurve::Kind::kDomain;
+    result.push_back({number[edge.a], number[edge.b], edge.marker,
+                      is_domain ? ConstrainedEdge::Kind::kDomain : ConstrainedEdge::Kind::kInner});
+  }
+  return result;
+}
+
+// The parts of the finer level that its nodes `parent` take with them.
+Level inherit(const Level& finer, std::vector<Index> parent, std::span<const Index> number) {
+  Level level;
+  level.parent = std::move(parent);
+  for (const Index v : level.parent) {
+    level.origin.push_back(finer.origin[v]);
+    level.mesh.points.push_back(finer.mesh.points[v]);
+    if (!finer.mesh.point_markers.empty())
+      level.mesh.point_markers.push_back(finer.mesh.point_markers[v]);
+  }
+  for (const Index v : finer.mesh.fixed) level.mesh.fixed.push_back(number[v]);
+  return level;
+}
+
+std::vector<double> restricted(std::span<const double> values, std::span<const Index> nodes) {
+  std::vector<double> result;
+  for (const Index v : nodes) result.push_back(values[v]);
+  return result;
+}
+
+}  // namespace
+
+Result<CoarseningStep> coarsen_level(const Level& finer, std::size_t level,
+                                     const CoarseningOptions& options, const Tell& tell) {
+  if (!tell("spacing")) return cancelled();
+  const std::span<const Point2> points = finer.mesh.points;
+  const CornerTable table =
+      corner_table(finer.mesh.triangles, static_cast<Index>(finer.mesh.points.size()));
+  const Graph graph = mesh_graph(points, table, finer.mesh.segments);
+  CoarseningWork work;
+  std::vector<double> f;
+  if (is_function_based(options)) {
+    f = coarsened_spacing(graph, finer.spacing, level_factor(options, level));
+    if (options.count_work)
+      measure_paths(graph, finer.spacing, level_factor(options, level), f, work);
+  }
+
+  if (!tell("boundary")) return cancelled();
+  const Boundary boundary = boundary_of(finer.mesh, table);
+  NodeSelection selection(graph.nodes(), boundary.twins, conflict_rule(graph, f, options, work));
+  const auto ordered = [&](std::vector<Index> nodes) {
+    return random_order(std::move(nodes), finer.origin, static_cast<std::uint32_t>(level),
+                        options.seed);
+  };
+  selection.force(finer.mesh.fixed);
+  for (const Index v : ordered(boundary.nodes)) selection.select(v);
+  const std::size_t chosen = selection.selected().size();
+  const ContractedBoundary contracted = contract_and_repair(boundary, points, selection);
+  const std::size_t reinstated = selection.selected().size() - chosen;
+  work.edge_protection = protect_edges(graph, points, contracted.edges(), boundary.on_boundary,
+                                       protection_ratio(options), selection);
+
+  if (!tell("select")) return cancelled();
+  const std::vector<Index> interior = interior_nodes(boundary);
+  const std::size_t dropped = drop_nodes_outside(contracted, points, interior, selection);
+  if (!select_in_order(ordered(interior), selection, tell)) return cancelled();
+
+  if (!tell("triangulate")) return cancelled();
+  std::vector<Index> parent = selection.selected();
+  const std::vector<Index> number = numbering(parent, graph.nodes());
+  CoarseningStep step{inherit(finer, std::move(parent), number), std::nullopt};
+  if (options.count_work) step.work = work;
+  step.level.reinstated = reinstated;
+  step.level.dropped_outside = dropped;
+
+  auto triangulation =
+      triangulate_domain(step.level.mesh.points, constraints(boundary, contracted.edges(), number));
+  if (!triangulation) return triangulation.error();
+  step.level.mesh.triangles = std::move(triangulation->triangles);
+  step.level.mesh.segments = std::move(triangulation->segments);
+  step.level.spacing = is_function_based(options) ? restricted(f, step.level.parent)
+                                                  : mesh_spacing(mesh_graph(step.level.mesh));
+  return step;
+}
+
+}  // namespace wellspaced
