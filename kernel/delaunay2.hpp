@@ -98,6 +98,38 @@ class Delaunay2 {
   /// Cost: typically the degree of v, at worst its square. Below dimension 2: O(n log n).
   Status remove(Index v);
 
+  /// The vertices on the boundary of the convex hull, counter-clockwise, collinear ones included,
+  /// the lowest first. Empty below dimension 2. Cost: linear.
+  std::vector<Index> hull() const;
+
+  /// The vertex nearest to p; of several the lowest that a walk to ever nearer neighbours ends at.
+  /// Requires: dimension() == 2 and no constrained edge, which could hide the nearest vertex.
+  /// Cost: that of locate.
+  Index nearest_vertex(Point2 p, Index hint = 0) const;
+
+  /// A cell of the Voronoi diagram: the points nearer to one vertex than to any other.
+  ///
+  /// corners: circumcentres, rounded, counter-clockwise; cocircular ones are repeated. The cell of
+  /// a hull vertex is unbounded: rays leave its last corner in direction last_ray and its first one
+  /// in direction first_ray, at right angles to the two hull edges.
+  struct VoronoiCell {
+    std::vector<Point2> corners;
+    bool bounded = true;
+    Point2 first_ray, last_ray;
+  };
+
+  /// The Voronoi cell of a vertex, in the whole plane.
+  /// Requires: is_vertex(v), dimension() == 2 and no constrained edge.
+  /// Errors: kInvalidGeometry where a circumcentre is not finite as doubles (ids: the triangle's
+  /// corners).
+  /// Cost: the degree of v.
+  Result<VoronoiCell> voronoi_cell(Index v) const;
+
+  /// Whether the links are mutual, all triangles counter-clockwise, the hull convex, and every
+  /// unconstrained edge locally Delaunay; exact. From that follows that the triangles cover the
+  /// hull once and are constrained Delaunay. Cost: linear.
+  bool is_valid() const;
+
  private:
   // A point that is no vertex, and the vertex that stands for it.
   struct Duplicate {
@@ -131,6 +163,7 @@ class Delaunay2 {
   void force_edge(Index a, Index b, std::vector<Edge>& crossed);
   Edge triangulate_side(std::span<const Edge> rim, Index end, Index first_new);
   bool is_locally_delaunay(Edge e) const;
+  bool is_locally_convex(Index ghost) const;
   void restore_delaunay(std::span<const Index> triangles);
 
   Result<Index> insert_below_dimension_2(Point2 p);

@@ -41,6 +41,17 @@ struct Orient2d {
   }
 };
 
+struct DistanceOrder {
+  static constexpr std::size_t kDimension = 2;
+  static constexpr int kNarrowBits = 61;
+  template <class T>
+  static int sign(const std::array<T, 4>& v) {
+    const auto& [ax, ay, bx, by] = v;
+    return sign_of((wide_product(ax, ax) - wide_product(bx, bx)) +
+                   (wide_product(ay, ay) - wide_product(by, by)));
+  }
+};
+
 struct Incircle {
   static constexpr std::size_t kDimension = 2;
   static constexpr int kNarrowBits = 30;
@@ -282,6 +293,7 @@ int sign(const std::array<double, N>& x) {
 }
 
 inline int orient2d(const std::array<double, 6>& x) { return sign<Orient2d>(x); }
+inline int distance_order(const std::array<double, 6>& x) { return sign<DistanceOrder>(x); }
 inline int incircle(const std::array<double, 8>& x) { return sign<Incircle>(x); }
 inline int orient3d(const std::array<double, 12>& x) { return sign<Orient3d>(x); }
 inline int insphere(const std::array<double, 15>& x) { return sign<Insphere>(x); }

@@ -50,6 +50,16 @@ inline int orient2d(Point2 a, Point2 b, Point2 c) {
   return orient2d_of_differences(a.x - c.x, a.y - c.y, b.x - c.x, b.y - c.y);
 }
 
+/// r = 5, P the sum of both squares; E also covers the rounding of E itself.
+inline constexpr double kDistanceOrderBound = 0x6p-52;
+
+/// The sign of distance_order for a' = a - c and b' = b - c, each rounded once, or 0.
+inline int distance_order(Point2 a, Point2 b, Point2 c) {
+  const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
+  const double a_sq = ax * ax + ay * ay, b_sq = bx * bx + by * by;
+  return certified_sign(a_sq - b_sq, kDistanceOrderBound * (a_sq + b_sq) + kOrient2dUnderflow);
+}
+
 /// r = 11, and P <= AB + BC + CA for the squared lengths A, B, C of the differences, because
 /// |ax by| + |ay bx| <= (A + B) / 2.
 inline constexpr double kIncircleBound = 0x1p-48;

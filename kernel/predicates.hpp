@@ -1,4 +1,4 @@
-// Exact geometric predicates: orient2d, incircle, orient3d, insphere.
+// Exact geometric predicates: orient2d, incircle, orient3d, insphere, distance_order.
 //
 // Each returns the sign of a determinant of its points' coordinates, exact for every finite double,
 // subnormals included. Three rungs, each asked only if the one before cannot tell: a floating-point
@@ -32,9 +32,10 @@ namespace wellspaced {
 /// after the other.
 namespace predicate_exact {
 #ifdef WELLSPACED_HEADER_ONLY
-using exact::incircle, exact::insphere, exact::orient2d, exact::orient3d;
+using exact::distance_order, exact::incircle, exact::insphere, exact::orient2d, exact::orient3d;
 #else
 int orient2d(const std::array<double, 6>& x);
+int distance_order(const std::array<double, 6>& x);
 int incircle(const std::array<double, 8>& x);
 int orient3d(const std::array<double, 12>& x);
 int insphere(const std::array<double, 15>& x);
@@ -46,6 +47,12 @@ int insphere(const std::array<double, 15>& x);
 inline int orient2d(Point2 a, Point2 b, Point2 c) {
   const int sign = predicate_filter::orient2d(a, b, c);
   return sign != 0 ? sign : predicate_exact::orient2d({a.x, a.y, b.x, b.y, c.x, c.y});
+}
+
+/// The sign of |a-c| - |b-c|: negative when a is nearer to c than b.
+inline int distance_order(Point2 a, Point2 b, Point2 c) {
+  const int sign = predicate_filter::distance_order(a, b, c);
+  return sign != 0 ? sign : predicate_exact::distance_order({a.x, a.y, b.x, b.y, c.x, c.y});
 }
 
 /// Positive when d lies inside the circle through a, b, c, negative outside, 0 on it.

@@ -6,25 +6,12 @@
 #include <vector>
 
 #include "wellspaced/kernel/angle.hpp"
+#include "wellspaced/kernel/circumcircle.hpp"
 #include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
 namespace {
-
-struct Circle {
-  Point2 centre;
-  double radius_sq = 0;
-};
-
-// The circle through a, b, c, up to rounding. Requires: not collinear.
-Circle circumcircle(Point2 a, Point2 b, Point2 c) {
-  const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-  const double b_sq = bx * bx + by * by, c_sq = cx * cx + cy * cy;
-  const double doubled = 2 * (bx * cy - by * cx);
-  const double x = (cy * b_sq - by * c_sq) / doubled, y = (bx * c_sq - cx * b_sq) / doubled;
-  return {{a.x + x, a.y + y}, x * x + y * y};
-}
 
 // Inserts circumcentres into the constrained triangulation of a domain's boundary.
 //

@@ -61,7 +61,8 @@ TEST(Delaunay2, EveryFamilyIsDelaunay) {
         const Delaunay2 dt = built(family.points);
         EXPECT_EQ(dt.duplicate_count(), family.points.size() - distinct(family.points));
         if (dt.dimension() == 2)
-          EXPECT_TRUE(is_constrained_delaunay(dt)) << family.name << n << ' ' << seed;
+          EXPECT_TRUE(is_constrained_delaunay(dt) && dt.is_valid())
+              << family.name << n << ' ' << seed;
       }
 }
 
@@ -262,6 +263,59 @@ TEST(Delaunay2, RemovingAllVerticesEndsWithNone) {
     EXPECT_EQ(dt.dimension(), -1) << family.name;
     EXPECT_FALSE(dt.remove(0).ok());
   }
+}
+
+TEST(Delaunay2, HullRunsCounterClockwiseThroughAllBoundaryPoints) {
+  const Delaunay2 dt = built({{1, 0}, {0, 0}, {2, 0}, {2, 2}, {1, 1}, {0, 2}, {0, 1}});
+  EXPECT_EQ(dt.hull(), (std::vector<Index>{0, 2, 3, 5, 6, 1}));
+  EXPECT_TRUE(built({{0, 0}, {1, 1}}).hull().empty());
+}
+
+TEST(Delaunay2, NearestVertexIsNearestOfAll) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed)
+    for (const auto& family : point_families(25, seed)) {
+      const Delaunay2 dt = built(family.points);
+      if (dt.dimension() < 2) continue;
+      Random random(seed);
+      const auto any = [&] { return family.points[random.below(family.points.size())]; };
+      for (int k = 0; k < 50; ++k) {
+        const Point2 a = any(), b = any(), p{a.x / 2 + b.x / 2, b.y};
+        const Index nearest = dt.nearest_vertex(p, static_cast<Index>(random.below(50)));
+        EXPECT_TRUE(dt.is_vertex(nearest));
+        for (const Point2 q : family.points)
+          EXPECT_LE(distance_order(dt.points()[nearest], q, p), 0) << family.name << seed;
+      }
+    }
+}
+
+TEST(Delaunay2, VoronoiCellsOfALatticeAreSquaresInsideAndUnboundedOutside) {
+  std::vector<Point2> points;
+  for (int i = 0; i < 25; ++i) points.push_back({i % 5 * 2.0, i / 5 * 2.0});
+  const Delaunay2 dt = built(points);
+  for (Index v = 0; v < 25; ++v) {
+    const auto cell = dt.voronoi_cell(v);
+    ASSERT_TRUE(cell.ok());
+    const Point2 p = points[v];
+    const bool inner = p.x > 0 && p.x < 8 && p.y > 0 && p.y < 8;
+    EXPECT_EQ(cell->bounded, inner);
+    for (const Point2 c : cell->corners) {
+      EXPECT_EQ(std::abs(c.x - p.x), 1);
+      EXPECT_EQ(std::abs(c.y - p.y), 1);
+    }
+    for (std::size_t i = 0; i + 1 < cell->corners.size(); ++i)
+      EXPECT_GE(orient2d(p, cell->corners[i], cell->corners[i + 1]), 0);
+  }
+  const auto corner = dt.voronoi_cell(0);
+  EXPECT_EQ(corner->corners.front(), (Point2{1, 1}));
+  EXPECT_EQ(corner->first_ray, (Point2{0, -2}));
+  EXPECT_EQ(corner->last_ray, (Point2{-2, 0}));
+}
+
+TEST(Delaunay2, VoronoiCellsBeyondTheDoublesAreRefused) {
+  const Delaunay2 dt = built({{0, 0}, {1e300, 0}, {0, 1e300}, {1e300, 1e300}});
+  const auto cell = dt.voronoi_cell(0);
+  ASSERT_FALSE(cell.ok());
+  EXPECT_EQ(cell.error().ids.size(), 3u);
 }
 
 // A segment across n thin triangles, all crossed: a fan on each side.

@@ -223,5 +223,37 @@ TEST(Insphere, IsPositiveInsideTheSphereOfAPositiveTetrahedron) {
   EXPECT_EQ(insphere(a, b, c, d, {1, 1, -1}), 0);
 }
 
+// Squared distances in the tests' own integers.
+int slow_distance_order(const std::array<double, 6>& x) {
+  const int unit = lowest_exponent(x);
+  std::array<SlowInteger, 6> v;
+  for (std::size_t i = 0; i < 6; ++i) v[i] = SlowInteger::from_double(x[i], unit);
+  const auto squared = [&](std::size_t i) {
+    const SlowInteger dx = v[i] - v[4], dy = v[i + 1] - v[5];
+    return dx * dx + dy * dy;
+  };
+  return (squared(0) - squared(2)).sign();
+}
+
+TEST(DistanceOrder, IsExactOnTenThousandHardLines) {
+  LineGenerator<IncircleCase> generator(9);
+  for (int i = 0; i < 10000; ++i) {
+    const auto line = generator.line(static_cast<Family>(i % kFamilies));
+    const std::array<double, 6> x{line[0], line[1], line[2], line[3], line[4], line[5]};
+    const Point2 a{x[0], x[1]}, b{x[2], x[3]}, c{x[4], x[5]};
+    const int expected = slow_distance_order(x);
+    ASSERT_EQ(distance_order(a, b, c), expected) << text(x);
+    ASSERT_EQ(exact::big_sign<exact::DistanceOrder>(x), expected) << text(x);
+    const int filtered = predicate_filter::distance_order(a, b, c);
+    ASSERT_TRUE(filtered == 0 || filtered == expected) << text(x);
+  }
+}
+
+TEST(DistanceOrder, OfCocircularPointsAboutTheCentreIsZero) {
+  EXPECT_EQ(distance_order({3, 4}, {-5, 0}, {0, 0}), 0);
+  EXPECT_EQ(distance_order({0x3p-1074, 0x4p-1074}, {-0x5p-1074, 0}, {0, 0}), 0);
+  EXPECT_EQ(distance_order({3, 4}, {-5, 0x1p-1074}, {0, 0}), -1);
+}
+
 }  // namespace
 }  // namespace wellspaced::testing
