@@ -4,15 +4,14 @@
 // rounding error that follows from the coordinate differences at hand, so nothing is precomputed
 // and no scale is assumed. A sign other than 0 is proven; 0 says only that |D| <= E.
 //
-// Why the bounds hold. Let u = 2^-52, twice the unit roundoff, so that one operation errs by at
-// most a factor 1 + u in every rounding mode, and also where a compiler keeps excess precision or
-// contracts a*b + c to a fused operation (which only leaves out roundings). A product of degree k
-// that is reached through r roundings has a relative error of at most (1 + u)^r - 1 < 1.001 r u, so
-// that |D - exact| <= 1.001 r u P, where P (the permanent) is the sum of the magnitudes of all
-// products. E is a cheap upper bound on that. Sums and differences of doubles never underflow
-// inexactly; a product that underflows errs by at most 2^-1074 in addition, and each bound carries
-// a term that outgrows what becomes of it. Overflow anywhere leaves D infinite or not a number, and
-// then nothing is certified.
+// Why the bounds hold. Let u = 2^-53, so that one operation errs by at most a factor 1 + 1.001 u,
+// also where a compiler keeps excess precision or contracts a*b + c to a fused operation (which only
+// leaves out roundings). A product that is reached through r roundings has a relative error of at
+// most (1 + 1.001 u)^r - 1 < 1.01 r u, so that |D - exact| <= 1.01 r u P, where P (the permanent) is
+// the sum of the magnitudes of all products. E is a cheap upper bound on that. Sums and differences
+// of doubles never underflow inexactly; a product that underflows errs by at most 2^-1074 in
+// addition, and each bound carries a term that outgrows what becomes of it. Overflow anywhere leaves
+// D infinite or not a number, and then nothing is certified.
 #pragma once
 
 #include <cmath>
@@ -36,7 +35,7 @@ inline int certified_sign(double determinant, double bound) {
 }
 
 /// r = 4; E also covers the rounding of E itself.
-inline constexpr double kOrient2dBound = 0x5p-52;
+inline constexpr double kOrient2dBound = 0x5p-53;
 inline constexpr double kOrient2dUnderflow = 0x1p-1070;
 
 /// The sign of orient2d for a' = a - c and b' = b - c, each rounded once, or 0.
@@ -62,7 +61,7 @@ inline int distance_order(Point2 a, Point2 b, Point2 c) {
 
 /// r = 11, and P <= AB + BC + CA for the squared lengths A, B, C of the differences, because
 /// |ax by| + |ay bx| <= (A + B) / 2.
-inline constexpr double kIncircleBound = 0x1p-48;
+inline constexpr double kIncircleBound = 0x1p-49;
 inline constexpr double kIncircleUnderflow = 0x1p-500;
 
 /// The sign of incircle for a' = a - d, b' = b - d, c' = c - d, each rounded once, or 0.
@@ -84,7 +83,7 @@ inline int incircle(Point2 a, Point2 b, Point2 c, Point2 d) {
 }
 
 /// r = 8, and P <= 6 X Y Z for the largest |x|, |y|, |z| of the differences.
-inline constexpr double kOrient3dBound = 6 * 0x9p-52;
+inline constexpr double kOrient3dBound = 6 * 0x9p-53;
 inline constexpr double kOrient3dUnderflow = 0x1p-1060;
 
 inline double largest_magnitude(double a, double b, double c) {
@@ -112,8 +111,8 @@ inline int orient3d(Point3 a, Point3 b, Point3 c, Point3 d) {
 /// r = 17. A 3 x 3 permanent with rows of lengths p, q, r is at most 6 / sqrt(27) pqr (Carlen, Lieb
 /// and Loss 2006), so P <= 1.155 pqrs (p + q + r + s) <= 2.31 sqrt(ABCD (A + B + C + D)) with the
 /// squared lengths A, B, C, D. The comparison is between squares, to spare the root:
-/// (2.31 * 17.1 u)^2 < 2^-93.3. Below the limit on the sum, what underflows stays below 2^-710.
-inline constexpr double kInsphereSquaredBound = 0x1p-93;
+/// (2.31 * 17.2 u)^2 < 2^-95.3. Below the limit on the sum, what underflows stays below 2^-710.
+inline constexpr double kInsphereSquaredBound = 0x1p-95;
 inline constexpr double kInsphereUnderflow = 0x1p-700;
 inline constexpr double kInsphereLargestSum = 0x1p150;
 

@@ -249,9 +249,9 @@ class LineGenerator {
     any(x) = 0;
     x = rounded(x);
     for (double& value : x) {
-      if (value == 0)
-        value = std::ldexp(1.0 + static_cast<double>(random_.below(8)),
-                           -static_cast<int>(random_.below(1075)));
+      if (value != 0) continue;
+      value = 1 + static_cast<double>(random_.below(8));
+      value = std::ldexp(value, -static_cast<int>(random_.below(1075)));
     }
     return x;
   }
