@@ -120,4 +120,17 @@ Result<TriangleMesh> generate_graded_mesh(GradedDomain domain, const GradedMeshO
   }
 }
 
+Result<Pslg> generate_graded_boundary(GradedDomain domain, const GradedMeshOptions& options,
+                                      const Progress& progress) {
+  auto mesh = generate_graded_mesh(domain, options, progress);
+  if (!mesh) return mesh.error();
+  Pslg boundary;
+  boundary.segments = std::move(mesh->segments);
+  Index count = 0;  // the boundary's points come first
+  for (const Segment& s : boundary.segments) count = std::max({count, s.a + 1, s.b + 1});
+  boundary.points.assign(mesh->points.begin(), mesh->points.begin() + count);
+  boundary.holes = domain_of(domain, 0).holes;  // at any grading
+  return boundary;
+}
+
 }  // namespace wellspaced

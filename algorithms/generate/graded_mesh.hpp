@@ -29,4 +29,9 @@ struct GradedMeshOptions {
 Result<TriangleMesh> generate_graded_mesh(GradedDomain domain, const GradedMeshOptions& options,
                                           const Progress& progress = {});
 
+/// The boundary of that mesh as a domain: its segments with their points, and a point in each hole.
+/// Errors and cost: those of generate_graded_mesh.
+Result<Pslg> generate_graded_boundary(GradedDomain domain, const GradedMeshOptions& options,
+                                      const Progress& progress = {});
+
 }  // namespace wellspaced

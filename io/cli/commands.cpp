@@ -6,11 +6,12 @@ namespace wellspaced::cli {
 
 // To add a command: declare it here, list it below, define it in a file of its own.
 extern const Command kConvert;
+extern const Command kGenerate;
 extern const Command kPredicate;
 
 namespace {
 
-constexpr std::array kCommands = {&kPredicate, &kConvert};
+constexpr std::array kCommands = {&kGenerate, &kPredicate, &kConvert};
 
 }  // namespace
 

@@ -120,6 +120,22 @@ TEST(GradedMesh, OctavesGradeTheMesh) {
   }
 }
 
+TEST(GradedBoundary, HoldsTheSegmentsOfTheMeshAndAPointInEachHole) {
+  const std::size_t holes[] = {0, 1, 2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TriangleMesh mesh = make(kAll[k], 2000);
+    const Pslg boundary = generate_graded_boundary(kAll[k], {.nodes = 2000}).value();
+    EXPECT_EQ(boundary.segments, mesh.segments);
+    EXPECT_EQ(boundary.holes.size(), holes[k]);
+    ASSERT_LT(boundary.points.size(), mesh.points.size());
+    EXPECT_TRUE(std::equal(boundary.points.begin(), boundary.points.end(), mesh.points.begin()));
+    for (const Segment& s : boundary.segments) {
+      ASSERT_LT(s.a, boundary.points.size());
+      ASSERT_LT(s.b, boundary.points.size());
+    }
+  }
+}
+
 TEST(GradedMesh, TheSameOptionsGiveTheSameMesh) {
   for (const GradedDomain domain : kAll) {
     const TriangleMesh one = make(domain, 2000), other = make(domain, 2000);

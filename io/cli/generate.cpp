@@ -1,0 +1,239 @@
+// wellspaced generate: test meshes, domains and point sets.
+#include <array>
+#include <filesystem>
+
+#include "wellspaced/algorithms/generate/graded_mesh.hpp"
+#include "wellspaced/algorithms/generate/grid.hpp"
+#include "wellspaced/algorithms/generate/point_sets.hpp"
+#include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/io/text/numbers.hpp"
+#include "wellspaced/io/text/scanner.hpp"
+
+namespace wellspaced::cli {
+namespace {
+
+constexpr std::array<Option, 8> kOptions = {{
+    {"--nodes", "N", "number of nodes or points (default 20000)"},
+    {"--grading", "OCTAVES", "crack, annulus, airfoil, spiral: spacing grows by 2^OCTAVES"},
+    {"--boundary", "", "crack, annulus, airfoil: the boundary alone, as a domain"},
+    {"--nx", "N", "grid, lattice: nodes in a row (default 1000)"},
+    {"--ny", "N", "grid, lattice: nodes in a column (default 1000)"},
+    {"--aspect", "A", "grid: height of a cell of width 1 (default 1)"},
+    {"--diagonals", "RULE", "grid: slash (default), alternating, random or mixed:P"},
+    {"--shuffle", "", "point sets: in random order"},
+}};
+
+constexpr double kMostPoints = 1 << 28;
+
+struct Request {
+  Arguments& arguments;
+  Session& session;
+
+  std::size_t count(std::string_view option, std::int64_t otherwise) const {
+    return static_cast<std::size_t>(arguments.integer(option, otherwise, between(1, kMostPoints)));
+  }
+  std::size_t nodes() const { return count("--nodes", 20'000); }
+  std::uint64_t seed() const { return session.options().seed; }
+};
+
+struct Kind {
+  std::string_view name;
+  std::string_view options;  // those that it takes, blanks around each
+  Result<Geometry> (*make)(const Request& request);
+};
+
+// The share of cells cut the other way; kMixed stands for random and mixed:P.
+void read_diagonals(const Request& request, GridOptions& options) {
+  const std::string rule = request.arguments.text("--diagonals", "slash");
+  constexpr std::string_view kMixed = "mixed:";
+  if (rule == "slash") return;
+  if (rule == "alternating") {
+    options.diagonals = GridDiagonals::kAlternating;
+    return;
+  }
+  options.diagonals = GridDiagonals::kMixed;
+  if (rule == "random") return;
+  const ParsedNumber share = rule.rfind(kMixed, 0) == 0
+                                 ? parse_number(std::string_view(rule).substr(kMixed.size()))
+                                 : ParsedNumber{};
+  if (share.status != NumberStatus::kOk || !(share.value >= 0 && share.value <= 1))
+    request.arguments.refuse("--diagonals",
+                             "is none of slash, alternating, random, mixed:P (0 <= P <= 1)");
+  options.mixed = share.value;
+}
+
+Result<Geometry> make_grid(const Request& request) {
+  GridOptions options;
+  options.nx = static_cast<Index>(request.count("--nx", 1000));
+  options.ny = static_cast<Index>(request.count("--ny", 1000));
+  options.aspect = request.arguments.number("--aspect", 1, more_than(0));
+  options.seed = request.seed();
+  read_diagonals(request, options);
+  if (Status status = request.arguments.status(); !status) return status.error();
+  auto mesh = generate_grid(options);
+  if (!mesh) return mesh.error();
+  return to_geometry(std::move(*mesh));
+}
+
+Geometry domain_geometry(Pslg boundary) {
+  Geometry geometry;
+  geometry.mesh.points = std::move(boundary.points);
+  geometry.mesh.segments = std::move(boundary.segments);
+  geometry.holes = std::move(boundary.holes);
+  return geometry;
+}
+
+template <GradedDomain domain>
+Result<Geometry> make_graded(const Request& request) {
+  GradedMeshOptions options;
+  options.nodes = static_cast<Index>(request.nodes());
+  if (request.arguments.has("--grading"))
+    options.octaves = request.arguments.number("--grading", 0, at_least(0));
+  if (Status status = request.arguments.status(); !status) return status.error();
+  const Progress progress = request.session.progress();
+  if (request.arguments.has("--boundary")) {
+    auto boundary = generate_graded_boundary(domain, options, progress);
+    if (!boundary) return boundary.error();
+    return domain_geometry(std::move(*boundary));
+  }
+  auto mesh = generate_graded_mesh(domain, options, progress);
+  if (!mesh) return mesh.error();
+  return to_geometry(std::move(*mesh));
+}
+
+// Makes the points once the options are known to be right.
+template <class Make>
+Result<Geometry> make_points(const Request& request, Make make) {
+  if (Status status = request.arguments.status(); !status) return status.error();
+  Geometry geometry;
+  geometry.mesh.points = make();
+  if (request.arguments.has("--shuffle")) shuffle_points(geometry.mesh.points, request.seed());
+  return geometry;
+}
+
+Result<Geometry> make_lattice(const Request& request) {
+  const std::size_t nx = request.count("--nx", 1000), ny = request.count("--ny", 1000);
+  if (static_cast<double>(nx) * static_cast<double>(ny) > kMostPoints)
+    request.arguments.refuse("--nx", "times --ny is more than 2^28 points");
+  return make_points(request, [&] { return grid_points(nx, ny); });
+}
+
+Result<Geometry> make_spiral(const Request& request) {
+  const std::size_t nodes = request.nodes();
+  const double octaves = request.arguments.number("--grading", 40, between(0, 500));
+  return make_points(request, [&] { return spiral_points(nodes, octaves); });
+}
+
+constexpr std::string_view kGraded = " --nodes --grading --boundary ";
+constexpr std::string_view kPoints = " --nodes --shuffle ";
+
+constexpr std::array<Kind, 12> kKinds = {{
+    {"grid", " --nx --ny --aspect --diagonals ", make_grid},
+    {"crack", kGraded, make_graded<GradedDomain::kCrack>},
+    {"annulus", kGraded, make_graded<GradedDomain::kAnnulus>},
+    {"airfoil", kGraded, make_graded<GradedDomain::kAirfoil>},
+    {"random", kPoints,
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes(), &r] { return random_points(n, r.seed()); });
+     }},
+    {"clusters", kPoints,
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes(), &r] { return clustered_points(n, 100, r.seed()); });
+     }},
+    {"circle", kPoints,  // a tenth of the points on it, the others inside
+     [](const Request& r) {
+       return make_points(
+           r, [n = r.nodes(), &r] { return circle_points(n / 10, n - n / 10, r.seed()); });
+     }},
+    {"spiral", " --nodes --grading --shuffle ", make_spiral},
+    {"lattice", " --nx --ny --shuffle ", make_lattice},
+    {"parabola", kPoints,
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes()] { return parabola_points(n); });
+     }},
+    {"collinear", kPoints,  // all but one
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes()] { return collinear_points_and_one(n - 1); });
+     }},
+    {"copies", kPoints,  // of 10 points
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes(), &r] { return repeated_points(n, 10, r.seed()); });
+     }},
+}};
+
+std::string names_of_kinds() {
+  std::string names;
+  for (const Kind& kind : kKinds) names.append(names.empty() ? "" : ", ").append(kind.name);
+  return names;
+}
+
+bool takes(const Kind& kind, std::string_view option) {
+  std::string word(" ");
+  word.append(option).append(" ");
+  return kind.options.find(word) != kind.options.npos;
+}
+
+Result<const Kind*> find_kind(const Arguments& arguments) {
+  const std::string& name = arguments.operands()[0];
+  for (const Kind& kind : kKinds) {
+    if (kind.name != name) continue;
+    for (const Option& option : kOptions)
+      if (arguments.has(option.name) && !takes(kind, option.name))
+        return Error{
+            ErrorCode::kUsage, "generate: " + std::string(option.name) + " is not for " + name, {}};
+    return &kind;
+  }
+  return Error{
+      ErrorCode::kUsage, "generate: " + in_quotes(name) + " is none of " + names_of_kinds(), {}};
+}
+
+Status write_summary(std::string_view kind, const Geometry& geometry, Session& session) {
+  const std::size_t points = geometry.point_count(), triangles = geometry.mesh.triangles.size();
+  session.print(std::string(kind) + ": " + std::to_string(points) + " points, " +
+                std::to_string(triangles) + " triangles, " +
+                std::to_string(geometry.mesh.segments.size()) + " segments\n");
+  JsonWriter json;
+  json.begin_object().field("kind", kind).field("points", points).field("triangles", triangles);
+  json.field("segments", geometry.mesh.segments.size());
+  json.field("seed", session.options().seed).end_object();
+  return session.write_json(json);
+}
+
+// A name without extension stands for a set of Triangle's files.
+std::string output_format(const CommonOptions& options) {
+  const bool is_bare =
+      options.output != "-" && !std::filesystem::path(options.output).has_extension();
+  return options.format.empty() && is_bare ? "triangle" : options.format;
+}
+
+Result<int> run(Arguments& arguments, Session& session) {
+  const auto kind = find_kind(arguments);
+  if (!kind) return kind.error();
+  if (session.options().output.empty())
+    return Error{ErrorCode::kUsage, "generate: name the output with -o", {}};
+  const auto geometry = (*kind)->make({arguments, session});
+  if (!geometry) return geometry.error();
+  const Status written = write_geometry(session.outputs(), session.options().output,
+                                        output_format(session.options()), *geometry);
+  if (!written) return written.error();
+  if (Status status = write_summary((*kind)->name, *geometry, session); !status)
+    return status.error();
+  return kExitOk;
+}
+
+}  // namespace
+
+extern const Command kGenerate;
+const Command kGenerate = {
+    .name = "generate",
+    .operands = "KIND",
+    .summary =
+        "make a test mesh (grid, crack, annulus, airfoil) or point set (random, clusters, "
+        "circle, spiral, lattice, parabola, collinear, copies)",
+    .least_operands = 1,
+    .most_operands = 1,
+    .options = kOptions,
+    .run = run};
+
+}  // namespace wellspaced::cli
