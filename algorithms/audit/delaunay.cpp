@@ -86,11 +86,12 @@ class DelaunayAudit {
   void find_obtuse_corners() {
     obtuse_edge_.assign(mesh_.triangles.size(), kNone);
     for (Index t = 0; t < obtuse_edge_.size(); ++t) {
+      const auto& [i, j, k] = mesh_.triangles[t];
+      const Point2 a = mesh_.points[i], b = mesh_.points[j], c = mesh_.points[k];
       if (orientation_[t] <= 0) continue;
-      for (std::uint8_t i = 0; i < 3; ++i) {
-        const Index h = 3 * t + i;
-        if (angle_sign(apex_point(h), from_point(h), to_point(h)) < 0) obtuse_edge_[t] = i;
-      }
+      const bool at_c = angle_sign(c, a, b) < 0, at_a = angle_sign(a, b, c) < 0;
+      const bool at_b = angle_sign(b, c, a) < 0;
+      obtuse_edge_[t] = static_cast<std::uint8_t>(kNone - 3 * at_c - 2 * at_a - at_b);
     }
   }
 

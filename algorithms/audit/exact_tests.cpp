@@ -75,11 +75,7 @@ int circumcentre_side_by_filter(const std::array<double, 8>& v) {
 
 }  // namespace
 
-int angle_sign(Point2 apex, Point2 p, Point2 q) {
-  // px qx + py qy is the determinant of (px, py) and (-qy, qx).
-  const int sign = predicate_filter::orient2d_of_differences(p.x - apex.x, p.y - apex.y,
-                                                             apex.y - q.y, q.x - apex.x);
-  if (sign != 0) return sign;
+int exact_angle_sign(Point2 apex, Point2 p, Point2 q) {
   return exact::sign<ScalarProduct>(std::array{p.x, p.y, q.x, q.y, apex.x, apex.y});
 }
 

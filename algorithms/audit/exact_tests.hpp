@@ -2,12 +2,16 @@
 #pragma once
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/predicate_filter.hpp"
 
 namespace wellspaced::audit {
 
 /// The sign of the scalar product (p - apex) . (q - apex): positive for an acute angle at apex, 0
 /// for a right one, negative for an obtuse one.
-int angle_sign(Point2 apex, Point2 p, Point2 q);
+inline int angle_sign(Point2 apex, Point2 p, Point2 q);
+
+/// The same without the floating-point filter.
+int exact_angle_sign(Point2 apex, Point2 p, Point2 q);
 
 /// The sign of |x - u|^2 - |x - v|^2: negative where x is nearer to u.
 int bisector_side(Point2 u, Point2 v, Point2 x);
@@ -15,5 +19,14 @@ int bisector_side(Point2 u, Point2 v, Point2 x);
 /// Positive when the circumcentre of a, b, c lies left of the line from p to q, 0 on it.
 /// Requires: a, b, c are counter-clockwise and not on one line.
 int circumcentre_side(Point2 p, Point2 q, Point2 a, Point2 b, Point2 c);
+
+inline int angle_sign(Point2 apex, Point2 p, Point2 q) {
+  // px qx + py qy is the determinant of (px, py) and (-qy, qx).
+  const double px = p.x - apex.x, py = p.y - apex.y, qx = q.x - apex.x, qy = q.y - apex.y;
+  const int sign = predicate_filter::orient2d_of_differences(px, py, -qy, qx);
+  if (sign != 0) return sign;
+  const bool axis_parallel = (px == 0 || qx == 0) && (py == 0 || qy == 0);
+  return axis_parallel ? 0 : exact_angle_sign(apex, p, q);
+}
 
 }  // namespace wellspaced::audit

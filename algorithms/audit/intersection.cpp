@@ -275,15 +275,15 @@ Intersections count_intersections(const TriangleMesh& fine, const TriangleMesh& 
   const LocalOrder order = local_order(fine);
   const std::vector<double> lengths = longest_edges(order.mesh);
   Walker walker(order.mesh);
-  for (Index t = 0; t < coarse.triangles.size(); ++t) {
+  for (const Index t : local_order(coarse).given_triangle) {
     const Corners corners = corners_of(coarse.points, coarse.triangles[t]);
     const int sign = orient2d(corners[0], corners[1], corners[2]);
     if (sign == 0) continue;
     const double length = longest_edge(corners);
-    for (const Index s : walker.meet(counter_clockwise(corners, sign),
-                                     nodes_at(coarse.triangles[t], sign, origin, order.local))) {
+    const auto nodes = nodes_at(coarse.triangles[t], sign, origin, order.local_node);
+    for (const Index s : walker.meet(counter_clockwise(corners, sign), nodes)) {
       ++result.per_coarse[t];
-      ++result.per_fine[s];
+      ++result.per_fine[order.given_triangle[s]];
       result.similarity = std::max({result.similarity, length / lengths[s], lengths[s] / length});
     }
   }

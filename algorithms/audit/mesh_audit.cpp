@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "wellspaced/algorithms/audit/delaunay.hpp"
@@ -24,20 +23,20 @@ void audit_in_local_order(const TriangleMesh& mesh, Report& report) {
   audit_shape(mesh, half_edges, report);
 }
 
-// Sorts the violations by their ids; the first id of an edge is the lower.
-void sort_edges(std::vector<Index>& ids) {
-  std::vector<std::array<Index, 2>> edges;
-  for (std::size_t i = 0; i + 1 < ids.size(); i += 2)
-    edges.push_back({std::min(ids[i], ids[i + 1]), std::max(ids[i], ids[i + 1])});
-  std::sort(edges.begin(), edges.end());
-  ids.clear();
-  for (const auto& [a, b] : edges) ids.insert(ids.end(), {a, b});
+// Turns local ids into given ones. Edges stay in the order of their places: there may be many.
+void restore_numbers(Check& check, const LocalOrder& order) {
+  const bool by_node = check.item == Item::kNode || check.item == Item::kEdge;
+  const bool by_triangle = check.item == Item::kTriangle || check.item == Item::kTrianglePair;
+  if (!by_node && !by_triangle) return;
+  const std::vector<Index>& given = by_node ? order.given_node : order.given_triangle;
+  for (Index& id : check.ids) id = given[id];
+  if (ids_per(check.item) == 1) std::sort(check.ids.begin(), check.ids.end());
 }
 
-void restore_numbers(Check& check, std::span<const Index> given) {
-  if (check.item != Item::kNode && check.item != Item::kEdge) return;
-  for (Index& id : check.ids) id = given[id];
-  check.item == Item::kEdge ? sort_edges(check.ids) : std::sort(check.ids.begin(), check.ids.end());
+void restore_numbers(Report& report, std::size_t first_check, const LocalOrder& order) {
+  for (Check& check : std::span(report.checks).subspan(first_check)) restore_numbers(check, order);
+  for (Worst& worst : report.worst)
+    for (Index& id : worst.ids) id = order.given_triangle[id];
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ Report audit_mesh(const TriangleMesh& mesh) {
   const std::size_t syntax = report.checks.size();
   const LocalOrder order = local_order(mesh);
   audit_in_local_order(order.mesh, report);
-  for (Check& check : std::span(report.checks).subspan(syntax)) restore_numbers(check, order.given);
+  restore_numbers(report, syntax, order);
   return report;
 }
 

@@ -34,7 +34,6 @@ std::optional<double> shape_value(const TriangleShape& shape, std::string_view n
 /// Measures the triangles, flat and inverted ones too. Measures:
 ///   min_angle, max_angle (degrees), aspect_ratio, circumradius_to_inradius, radius_edge,
 ///   edge_to_height: the worst over all triangles
-///   mean_min_angle: the mean of the triangles' smallest angles
 ///   triangles_le_10, triangles_le_20: the triangles whose smallest angle is at most so many
 ///   degrees (Table 8.1) shortest_edge, longest_edge, gradation (log2 of their ratio, CHOICES 4),
 ///   triangles_per_scale (triangles by gradation), area, perimeter (all boundary edges)

@@ -1,5 +1,6 @@
 #include "wellspaced/algorithms/audit/topology.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wellspaced::audit {
@@ -33,12 +34,13 @@ bool audit_node_data(const TriangleMesh& mesh, Report& report) {
   return check.pass();
 }
 
-// Marks the fan of triangles around the origin of `h`, which is not marked yet.
+// Marks the fan of triangles around the origin of `h`: to the right as far as it goes, which may be
+// all around, then to the left.
 void mark_fan(const HalfEdges& half_edges, Index h, std::vector<std::uint8_t>& marked) {
-  Index first = h;
-  for (Index g = half_edges.turn_right(h); g != kNoIndex && g != h; g = half_edges.turn_right(g))
-    first = g;
-  for (Index g = first; g != kNoIndex && marked[g] == 0; g = half_edges.turn_left(g)) marked[g] = 1;
+  for (Index g = h; g != kNoIndex && marked[g] == 0; g = half_edges.turn_right(g)) marked[g] = 1;
+  for (Index g = half_edges.turn_left(h); g != kNoIndex && marked[g] == 0;
+       g = half_edges.turn_left(g))
+    marked[g] = 1;
 }
 
 // For each node the number of fans that its triangles form, at most 255.
@@ -74,31 +76,24 @@ std::uint64_t count_boundary_loops(const HalfEdges& half_edges) {
   return loops;
 }
 
-void flood(const HalfEdges& half_edges, Index seed, std::vector<std::uint8_t>& marked,
-           std::vector<Index>& stack) {
-  marked[seed] = 1;
-  stack.push_back(seed);
-  while (!stack.empty()) {
-    const Index t = stack.back();
-    stack.pop_back();
-    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-      const Index twin = half_edges.twin[h];
-      if (twin == kNoIndex || marked[twin / 3] != 0) continue;
-      marked[twin / 3] = 1;
-      stack.push_back(twin / 3);
-    }
-  }
+// The root of the tree that t is in, halving the path on the way.
+Index root(std::vector<Index>& parent, Index t) {
+  while (parent[t] != t) t = parent[t] = parent[parent[t]];
+  return t;
 }
 
+// Triangles are united with their neighbours; the lowest of each set is its root.
 std::uint64_t count_components(const HalfEdges& half_edges) {
-  std::vector<std::uint8_t> marked(half_edges.twin.size() / 3, 0);
-  std::vector<Index> stack;
-  std::uint64_t components = 0;
-  for (Index t = 0; t < marked.size(); ++t) {
-    if (marked[t] != 0) continue;
-    ++components;
-    flood(half_edges, t, marked, stack);
+  std::vector<Index> parent(half_edges.twin.size() / 3);
+  for (Index t = 0; t < parent.size(); ++t) parent[t] = t;
+  for (Index h = 0; h < half_edges.twin.size(); ++h) {
+    const Index twin = half_edges.twin[h];
+    if (twin == kNoIndex || twin < h) continue;
+    const Index a = root(parent, h / 3), b = root(parent, twin / 3);
+    parent[std::max(a, b)] = std::min(a, b);
   }
+  std::uint64_t components = 0;
+  for (Index t = 0; t < parent.size(); ++t) components += parent[t] == t;
   return components;
 }
 
