@@ -107,6 +107,10 @@ Level finest_level(TriangleMesh mesh, const CoarseningOptions& options) {
 
 }  // namespace
 
+double protection_ratio(const CoarseningOptions& options) {
+  return options.protect.value_or(options.method == CoarseningMethod::kFunction ? 0.2 : 0.15);
+}
+
 Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   if (const Status status = check_mesh(mesh); !status) return status.error();
   if (const Status status = check_options(options, mesh.points.size()); !status)
@@ -123,6 +127,8 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
       return report(options.progress, phase, input_nodes - nodes, input_nodes);
     };
     auto step = coarsen_level(finer, hierarchy.levels.size(), options, tell);
+    hierarchy.complete = step.ok() || step.error().code != ErrorCode::kCancelled;
+    if (!hierarchy.complete) break;
     if (!step) return step.error();
     if (step->level.mesh.points.size() == nodes) break;
     finer.work = step->work;

@@ -32,10 +32,13 @@ struct CoarseningOptions {
   std::size_t max_levels = SIZE_MAX;  ///< levels after the input
   std::size_t until_nodes = 0;        ///< no further level once one has at most so many nodes
   bool count_work = false;            ///< fill Level::work
-  /// Phases "spacing", "boundary", "select", "triangulate", told once or more a level, in order;
-  /// done: nodes of the input that are coarsened away, total: all.
+  /// Phases "spacing", "boundary", "select", "triangulate" of each level, in order, each at its
+  /// start and some more often; done: nodes of the input that are coarsened away, total: all.
   Progress progress = {};
 };
+
+/// R: the one that options give, or else the method's default.
+double protection_ratio(const CoarseningOptions& options);
 
 /// The coarsening sequence of a mesh, fine to coarse. Each level is a node-nested constrained
 /// Delaunay triangulation of nodes of the level before: special points, then boundary nodes, then
@@ -47,7 +50,8 @@ struct CoarseningOptions {
 /// Requires: counter-clockwise triangles that do not overlap; coincident nodes only across slits.
 /// Errors: kUsage for an option or special point out of range (ids: the points);
 ///   kInvalidGeometry for an index out of range, a coordinate that is not finite, or a boundary
-///   that crosses itself; kLimit for meshes beyond 2^28 nodes; kCancelled.
+///   that crosses itself; kLimit for meshes beyond 2^28 nodes.
+/// Cancelled: the levels that are finished are returned, with complete = false.
 /// Cost: O(n log n) for bounded factor and degrees.
 /// Audit: every level by `audit`: embedding, conformity, constrained Delaunay, node-nestedness.
 /// See: Figures 5.2, 7.2, 7.3 and 7.10, chapter 8; CHOICES.md settles order, ties and sums.

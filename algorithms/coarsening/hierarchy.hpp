@@ -48,9 +48,11 @@ struct Level {
   std::optional<CoarseningWork> work;  ///< of the step to the next level; none from the last one
 };
 
-/// levels[0] is the input, its segments completed and its fixed points those used.
+/// levels[0] is the input, its segments completed and its fixed points those used. complete is
+/// false where coarsening was told to stop before its end; the levels that are there are whole.
 struct Hierarchy {
   std::vector<Level> levels;
+  bool complete = true;
 };
 
 }  // namespace wellspaced

@@ -31,10 +31,6 @@ double level_factor(const CoarseningOptions& options, std::size_t level) {
   return level == 1 ? options.factor * options.beta : options.factor;
 }
 
-double protection_ratio(const CoarseningOptions& options) {
-  return options.protect.value_or(is_function_based(options) ? 0.2 : 0.15);
-}
-
 void measure_paths(const Graph& graph, std::vector<double> start, double factor,
                    std::span<const double> f, CoarseningWork& work) {
   for (double& value : start) value *= factor;

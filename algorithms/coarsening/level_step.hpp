@@ -22,7 +22,7 @@ struct CoarseningStep {
 /// finer: as `coarsen` makes them, or any valid level whose fixed points hold the anchors of its
 ///   boundary. level: the number of the level to build, >= 1.
 /// tell: called with the name of each phase; returns false to cancel.
-/// Errors: those of `coarsen`.
+/// Errors: kCancelled, and those of `coarsen`.
 Result<CoarseningStep> coarsen_level(const Level& finer, std::size_t level,
                                      const CoarseningOptions& options,
                                      const std::function<bool(std::string_view)>& tell);

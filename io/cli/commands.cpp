@@ -5,13 +5,14 @@
 namespace wellspaced::cli {
 
 // To add a command: declare it here, list it below, define it in a file of its own.
+extern const Command kCoarsen;
 extern const Command kConvert;
 extern const Command kGenerate;
 extern const Command kPredicate;
 
 namespace {
 
-constexpr std::array kCommands = {&kGenerate, &kPredicate, &kConvert};
+constexpr std::array kCommands = {&kGenerate, &kPredicate, &kConvert, &kCoarsen};
 
 }  // namespace
 

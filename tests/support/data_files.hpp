@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/data.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced::test {
@@ -31,7 +32,7 @@ inline Index zero_based(double one_based) { return static_cast<Index>(one_based)
 /// The mesh of NAME.node, NAME.ele and NAME.poly, whose numbers start at 1, in the data directory;
 /// nothing if it is not there.
 inline std::optional<TriangleMesh> data_mesh(const std::string& name) {
-  const std::string path = std::string(WELLSPACED_DATA_DIR) + "/" + name;
+  const std::string path = data_path(name);
   const auto nodes = number_lines(path + ".node"), triangles = number_lines(path + ".ele"),
              poly = number_lines(path + ".poly");
   if (nodes.empty() || triangles.empty() || poly.empty()) return std::nullopt;

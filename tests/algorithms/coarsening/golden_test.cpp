@@ -11,9 +11,7 @@
 namespace wellspaced {
 namespace {
 
-std::string table_file(const std::string& name) {
-  return std::string(WELLSPACED_DATA_DIR) + "/../tables/" + name;
-}
+std::string table_file(const std::string& name) { return test::data_path("../tables/" + name); }
 
 // The special points of a mesh in tables/special_points.csv, whose last column lists them.
 std::vector<Index> listed_special_points(const std::string& mesh) {
@@ -29,7 +27,7 @@ std::vector<Index> listed_special_points(const std::string& mesh) {
 void expect_golden_levels(CoarseningMethod method, const std::string& name) {
   const auto mesh = test::data_mesh("thesis/airfoil1");
   const auto special = listed_special_points("airfoil1");
-  if (!mesh || special.empty()) GTEST_SKIP() << "no data in " WELLSPACED_DATA_DIR;
+  if (!mesh || special.empty()) GTEST_SKIP() << "no " << test::data_path("thesis/airfoil1");
   CoarseningOptions options;
   options.method = method;
   options.fixed = special;

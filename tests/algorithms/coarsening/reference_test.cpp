@@ -51,14 +51,14 @@ TEST(CoarseningReference, AgreesForSmallBetaAndNoProtection) {
 
 TEST(CoarseningReference, AgreesOnAirfoil1ForAnotherSeed) {
   const auto mesh = test::data_mesh("thesis/airfoil1");
-  if (!mesh) GTEST_SKIP() << "no data in " WELLSPACED_DATA_DIR;
+  if (!mesh) GTEST_SKIP() << "no " << test::data_path("thesis");
   for (const CoarseningMethod method : kMethods)
     expect_same_levels(*mesh, {.method = method, .seed = 2});
 }
 
 TEST(CoarseningReference, AgreesOnAirfoil3) {
   const auto mesh = test::data_mesh("thesis/airfoil3_original");
-  if (!mesh) GTEST_SKIP() << "no data in " WELLSPACED_DATA_DIR;
+  if (!mesh) GTEST_SKIP() << "no " << test::data_path("thesis");
   expect_same_levels(*mesh, {});
 }
 

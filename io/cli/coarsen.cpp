@@ -1,0 +1,361 @@
+// wellspaced coarsen: from one fine mesh to a sequence of ever coarser ones.
+#include "wellspaced/algorithms/coarsening/coarsen.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wellspaced/algorithms/coarsening/statistics.hpp"
+#include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/cli/process.hpp"
+#include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/io/formats/hierarchy_files.hpp"
+#include "wellspaced/io/report/level_table.hpp"
+#include "wellspaced/io/text/scanner.hpp"
+
+namespace wellspaced::cli {
+namespace {
+
+enum class Statistics { kNone, kBasic, kFull };
+
+struct Request {
+  CoarseningOptions options;  // of the method in hand
+  std::vector<CoarseningMethod> methods;
+  Statistics statistics = Statistics::kBasic;
+};
+
+// Where the time of a sequence went, by level and phase. It listens to the progress of coarsen().
+class PhaseClock {
+ public:
+  static constexpr std::array<std::string_view, 4> kPhases = {"spacing", "boundary", "select",
+                                                              "triangulate"};
+  using Seconds = std::array<double, kPhases.size()>;
+
+  void enter(std::string_view phase) {
+    const double now = wall_seconds();
+    levels_.back()[phase_] += now - last_;
+    last_ = now;
+    const auto found = std::ranges::find(kPhases, phase);
+    const auto entered = static_cast<std::size_t>(found - kPhases.begin());
+    if (entered < phase_ || levels_.size() == 1) levels_.emplace_back();
+    phase_ = std::min(entered, kPhases.size() - 1);
+  }
+  void stop() { enter(kPhases[phase_]); }
+
+  double total() const { return last_ - start_; }
+  /// Level 0: what came before the first phase.
+  Seconds level(std::size_t k) const { return k < levels_.size() ? levels_[k] : Seconds{}; }
+
+ private:
+  double start_ = wall_seconds(), last_ = start_;
+  std::size_t phase_ = 0;
+  std::vector<Seconds> levels_{1};
+};
+
+// One method's sequence and what was measured of it.
+struct Run {
+  CoarseningOptions options;
+  Hierarchy hierarchy;
+  std::vector<LevelStatistics> statistics;
+  PhaseClock clock;
+  std::uint64_t peak_bytes = 0;
+};
+
+// ---- The request
+
+std::vector<CoarseningMethod> read_methods(Arguments& arguments) {
+  const std::string text = arguments.text("--method", "function");
+  if (text == "function") return {CoarseningMethod::kFunction};
+  if (text == "mis") return {CoarseningMethod::kMis};
+  if (text == "function,mis") return {CoarseningMethod::kFunction, CoarseningMethod::kMis};
+  if (text == "mis,function") return {CoarseningMethod::kMis, CoarseningMethod::kFunction};
+  arguments.refuse("--method", in_quotes(text) + " should be function, mis or function,mis");
+  return {};
+}
+
+Request read_request(Arguments& arguments, std::uint64_t seed) {
+  Request request;
+  CoarseningOptions& options = request.options;
+  arguments.choice("--profile", 0, {"thesis"});
+  arguments.choice("--scheme", 0, {"fine-to-coarse"});
+  arguments.choice("--metric", 0, {"graph"});
+  arguments.choice("--order", 0, {"random"});
+  request.methods = read_methods(arguments);
+  request.statistics =
+      static_cast<Statistics>(arguments.choice("--stats", 1, {"none", "basic", "full"}));
+  options.count_work = request.statistics == Statistics::kFull;
+  options.beta = arguments.number("--beta", options.beta, more_than(1));
+  options.factor = arguments.number("--factor", options.factor, more_than(1));
+  if (arguments.has("--protect")) options.protect = arguments.number("--protect", 0, at_least(0));
+  options.max_levels = static_cast<std::size_t>(
+      arguments.integer("--levels", std::int64_t{1} << 40, between(0, 0x1p40)));
+  options.until_nodes =
+      static_cast<std::size_t>(arguments.integer("--until", 0, between(0, 0x1p40)));
+  options.seed = seed;
+  return request;
+}
+
+Result<std::vector<Index>> read_fixed_points(const std::string& path, std::size_t nodes) {
+  const auto text = read_input(path);
+  if (!text) return text.error();
+  Scanner scanner(*text, display_name(path));
+  std::vector<Index> fixed;
+  while (scanner.next_line()) {
+    while (scanner.ok() && scanner.more()) {
+      const std::int64_t node = scanner.integer("fixed point");
+      if (node < 0 || static_cast<std::uint64_t>(node) >= nodes)
+        scanner.fail(ErrorCode::kInvalidGeometry,
+                     "fixed point " + std::to_string(node) + " is out of range: the mesh has " +
+                         std::to_string(nodes) + " nodes, numbered from 0");
+      fixed.push_back(static_cast<Index>(node));
+    }
+  }
+  if (!scanner.ok()) return scanner.error();
+  return fixed;
+}
+
+// ---- The run
+
+std::optional<MeanAndMax> mean_and_max(const SearchCount& count, std::size_t divisor) {
+  if (divisor == 0) return {};
+  return MeanAndMax{static_cast<double>(count.total) / static_cast<double>(divisor), count.max};
+}
+
+void add_work(const Level& level, CoarseningMethod method, LevelStatistics& statistics) {
+  if (!level.work) return;
+  const CoarseningWork& work = *level.work;
+  statistics.edge_search = mean_and_max(work.edge_protection, work.edge_protection.searches);
+  if (method != CoarseningMethod::kFunction) return;
+  statistics.path_depth = MeanAndMax{work.path_depth_mean, work.path_depth_max};
+  statistics.search = mean_and_max(work.selection, level.mesh.points.size());
+}
+
+LevelStatistics measure(const Level& level, const Request& request, CoarseningMethod method) {
+  if (request.statistics == Statistics::kNone) {
+    LevelStatistics sizes;
+    sizes.nodes = level.mesh.points.size();
+    sizes.triangles = level.mesh.triangles.size();
+    sizes.boundary_edges = level.mesh.segments.size();
+    return sizes;
+  }
+  LevelStatistics statistics = mesh_statistics(level.mesh);
+  add_work(level, method, statistics);
+  return statistics;
+}
+
+Result<Run> run_method(const TriangleMesh& mesh, const Request& request, CoarseningMethod method,
+                       Session& session) {
+  Run run;
+  run.options = request.options;
+  run.options.method = method;
+  reset_peak_resident();
+  const std::uint64_t before = resident_bytes();
+  run.clock = PhaseClock();
+  run.options.progress = [&](std::string_view phase, std::uint64_t done, std::uint64_t total) {
+    run.clock.enter(phase);
+    return session.progress()(phase, done, total);
+  };
+  auto hierarchy = coarsen(mesh, run.options);
+  run.clock.stop();
+  const std::uint64_t peak = peak_resident_bytes();
+  run.peak_bytes = peak > before ? peak - before : 0;
+  run.options.progress = {};
+  if (!hierarchy) return hierarchy.error();
+  run.hierarchy = std::move(*hierarchy);
+  for (const Level& level : run.hierarchy.levels)
+    run.statistics.push_back(measure(level, request, method));
+  return run;
+}
+
+// ---- What is said about it
+
+std::string title(const Run& run) {
+  const bool mis = run.options.method == CoarseningMethod::kMis;
+  std::string text = mis ? "MIS-based: "
+                         : "function-based: beta " + shortest(run.options.beta) + ", C " +
+                               shortest(run.options.factor) + ", ";
+  return text + "R " + shortest(protection_ratio(run.options)) + ", seed " +
+         std::to_string(run.options.seed);
+}
+
+void write_optional(JsonWriter& json, std::string_view name, const std::optional<double>& value) {
+  json.key(name);
+  value ? json.value(*value) : json.null();
+}
+
+void write_optional(JsonWriter& json, std::string_view name,
+                    const std::optional<MeanAndMax>& value) {
+  json.key(name);
+  if (!value) {
+    json.null();
+    return;
+  }
+  json.begin_object().field("mean", value->mean).field("max", value->max).end_object();
+}
+
+// Counts are null where nothing was measured.
+void write_count(JsonWriter& json, std::string_view name, bool measured, std::size_t count) {
+  json.key(name);
+  measured ? json.value(count) : json.null();
+}
+
+void write_angles(JsonWriter& json, const AngleStatistics& angles) {
+  const bool measured = angles.max_deg.has_value();
+  json.key("angles").begin_object();
+  write_optional(json, "interior_min", angles.interior_min_deg);
+  write_optional(json, "boundary_min", angles.boundary_min_deg);
+  write_optional(json, "max", angles.max_deg);
+  write_count(json, "interior_le_10", measured, angles.interior_le_10);
+  write_count(json, "boundary_le_10", measured, angles.boundary_le_10);
+  json.end_object();
+}
+
+void write_seconds(JsonWriter& json, const PhaseClock::Seconds& seconds) {
+  json.key("seconds").begin_object();
+  double total = 0;
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    json.field(PhaseClock::kPhases[i], seconds[i]);
+    total += seconds[i];
+  }
+  json.field("total", total).end_object();
+}
+
+// Whether every node of level k is a node of the level before, in its place.
+bool is_node_nested(const Hierarchy& hierarchy, std::size_t k) {
+  if (k == 0) return true;
+  const std::vector<Point2>& finer = hierarchy.levels[k - 1].mesh.points;
+  const Level& level = hierarchy.levels[k];
+  for (std::size_t v = 0; v < level.parent.size(); ++v)
+    if (level.parent[v] >= finer.size() || finer[level.parent[v]] != level.mesh.points[v])
+      return false;
+  return level.parent.size() == level.mesh.points.size();
+}
+
+void write_level(JsonWriter& json, const Run& run, std::size_t k) {
+  const LevelStatistics& statistics = run.statistics[k];
+  const Level& level = run.hierarchy.levels[k];
+  json.begin_object().field("level", k).field("nodes", statistics.nodes);
+  json.field("triangles", statistics.triangles);
+  json.field("boundary_edges", statistics.boundary_edges);
+  write_angles(json, statistics.angles);
+  write_optional(json, "intersection", statistics.intersection);
+  write_optional(json, "path_depth", statistics.path_depth);
+  write_optional(json, "search", statistics.search);
+  write_optional(json, "edge_search", statistics.edge_search);
+  json.field("node_nested", is_node_nested(run.hierarchy, k));
+  json.field("reinstated", level.reinstated).field("dropped_outside", level.dropped_outside);
+  write_seconds(json, run.clock.level(k));
+  json.end_object();
+}
+
+void write_run(JsonWriter& json, const Run& run) {
+  const TriangleMesh& input = run.hierarchy.levels[0].mesh;
+  json.begin_object().key("input").begin_object();
+  json.field("nodes", input.points.size()).field("triangles", input.triangles.size()).end_object();
+  describe_coarsening(json, run.options);
+  json.field("complete", run.hierarchy.complete).key("levels").begin_array();
+  for (std::size_t k = 0; k < run.hierarchy.levels.size(); ++k) write_level(json, run, k);
+  json.end_array().field("seconds_total", run.clock.total());
+  json.field("peak_bytes", run.peak_bytes).end_object();
+}
+
+// One method: its object. Several: an object with a list of theirs.
+Status write_summary(std::span<const Run> runs, Session& session) {
+  JsonWriter json;
+  if (runs.size() == 1) {
+    write_run(json, runs[0]);
+  } else {
+    json.begin_object().key("runs").begin_array();
+    for (const Run& run : runs) write_run(json, run);
+    json.end_array().end_object();
+  }
+  return session.write_json(json);
+}
+
+std::string_view method_name(CoarseningMethod method) {
+  return method == CoarseningMethod::kMis ? "mis" : "function";
+}
+
+Status write_files(std::span<const Run> runs, Index index_base, Session& session) {
+  if (session.options().output.empty()) return Ok{};
+  HierarchyFormat format{.index_base = index_base};
+  if (!session.options().format.empty()) format.format = session.options().format;
+  for (const Run& run : runs) {
+    std::string directory = session.options().output;
+    if (runs.size() > 1) directory.append("/").append(method_name(run.options.method));
+    const Status written =
+        write_hierarchy(session.outputs(), directory, run.hierarchy, run.options, format);
+    if (!written) return written;
+  }
+  return Ok{};
+}
+
+void print_tables(std::span<const Run> runs, Session& session) {
+  std::vector<LevelTable> tables;
+  for (const Run& run : runs) tables.push_back({title(run), run.statistics});
+  session.print(level_tables(tables));
+}
+
+Result<int> run(Arguments& arguments, Session& session) {
+  Request request = read_request(arguments, session.options().seed);
+  if (Status status = arguments.status(); !status)
+    return Error{ErrorCode::kUsage, "coarsen: " + status.error().message, {}};
+  if (session.options().output == "-")
+    return Error{ErrorCode::kUsage, "coarsen: -o names a directory, not the standard output", {}};
+  const auto geometry = read_mesh(arguments.operands()[0]);
+  if (!geometry) return geometry.error();
+  for (const std::string& note : geometry->notes) session.note(note);
+  if (const auto path = arguments.value("--fixed")) {
+    auto fixed = read_fixed_points(*path, geometry->mesh.points.size());
+    if (!fixed) return fixed.error();
+    request.options.fixed = std::move(*fixed);
+  }
+
+  std::vector<Run> runs;
+  for (const CoarseningMethod method : request.methods) {
+    auto result = run_method(geometry->mesh, request, method, session);
+    if (!result) return result.error();
+    runs.push_back(std::move(*result));
+  }
+  print_tables(runs, session);
+  if (Status status = write_files(runs, geometry->index_base, session); !status)
+    return status.error();
+  if (Status status = write_summary(runs, session); !status) return status.error();
+  const bool complete =
+      std::ranges::all_of(runs, [](const Run& r) { return r.hierarchy.complete; });
+  if (complete) return kExitOk;
+  session.note("stopped before the end: the levels finished by then are marked incomplete");
+  return kExitLimit;
+}
+
+constexpr std::array kOptions = {
+    Option{"--profile", "thesis", "the recipe that what is not given is taken from"},
+    Option{"--method", "NAME", "function (default), mis, or function,mis: both side by side"},
+    Option{"--scheme", "NAME", "fine-to-coarse: each level out of the one before"},
+    Option{"--metric", "NAME", "graph: distances along the edges of the mesh"},
+    Option{"--beta", "X", "spacing constant, more than 1 (default 25)"},
+    Option{"--factor", "X", "growth of the spacing from level to level, more than 1 (default 8)"},
+    Option{"--protect", "R", "distance that nodes keep from boundary edges (0.2; mis: 0.15)"},
+    Option{"--order", "NAME", "random: the order of nodes within a level, by --seed"},
+    Option{"--fixed", "FILE", "0-based numbers of the nodes to keep in all levels"},
+    Option{"--levels", "K", "at most K levels beside the input"},
+    Option{"--until", "NODES", "no further level once one has at most NODES nodes"},
+    Option{"--stats", "none|basic|full", "what to measure (default basic: counts and angles)"},
+};
+
+}  // namespace
+
+extern const Command kCoarsen;
+const Command kCoarsen = {
+    .name = "coarsen",
+    .operands = "MESH",
+    .summary = "coarsen a mesh into a sequence of ever coarser, nested meshes",
+    .least_operands = 1,
+    .most_operands = 1,
+    .options = kOptions,
+    .run = run};
+
+}  // namespace wellspaced::cli

@@ -1,0 +1,89 @@
+#include "wellspaced/io/formats/hierarchy_files.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "wellspaced/io/formats/formats.hpp"
+
+namespace wellspaced {
+namespace {
+
+// ".node .ele .edge" -> ".node"
+std::string first_extension(const Format& format) {
+  return std::string(format.extensions.substr(0, format.extensions.find(' ')));
+}
+
+Result<std::string> extension_of(const std::string& name) {
+  const auto all = formats();
+  const auto found = std::ranges::find_if(all, [&](const Format& f) { return f.name == name; });
+  if (found != all.end() && found->write != nullptr) return first_extension(*found);
+  std::string names;
+  for (const Format& format : all)
+    if (format.write != nullptr) names.append(" ").append(format.name);
+  return Error{ErrorCode::kUsage, "cannot write levels as '" + name + "'; there are" + names, {}};
+}
+
+template <class T>
+Status write_column(OutputSet& outputs, const std::string& path, const std::vector<T>& values) {
+  return outputs.add(path, [&](TextWriter& out) {
+    for (const T& value : values) out << value << '\n';
+  });
+}
+
+void describe_level(JsonWriter& json, const Level& level, std::size_t number) {
+  json.begin_object().field("level", number).field("nodes", level.mesh.points.size());
+  json.field("triangles", level.mesh.triangles.size());
+  json.field("boundary_edges", level.mesh.segments.size());
+  json.field("reinstated", level.reinstated).field("dropped_outside", level.dropped_outside);
+  json.end_object();
+}
+
+std::string describe(const Hierarchy& hierarchy, const CoarseningOptions& options,
+                     const HierarchyFormat& format) {
+  JsonWriter json;
+  json.begin_object();
+  describe_coarsening(json, options);
+  json.field("complete", hierarchy.complete).field("format", format.format);
+  json.field("index_base", format.index_base);
+  json.key("fixed").begin_array();
+  for (const Index v : hierarchy.levels[0].mesh.fixed) json.value(v);
+  json.end_array();
+  json.key("levels").begin_array();
+  for (std::size_t k = 0; k < hierarchy.levels.size(); ++k)
+    describe_level(json, hierarchy.levels[k], k);
+  json.end_array().end_object();
+  return json.text();
+}
+
+}  // namespace
+
+void describe_coarsening(JsonWriter& json, const CoarseningOptions& options) {
+  const bool mis = options.method == CoarseningMethod::kMis;
+  json.field("method", mis ? "mis" : "function");
+  json.field("scheme", "fine-to-coarse").field("metric", "graph");
+  json.field("beta", options.beta).field("factor", options.factor);
+  json.field("protect", protection_ratio(options)).field("seed", options.seed);
+}
+
+Status write_hierarchy(OutputSet& outputs, const std::string& directory, const Hierarchy& hierarchy,
+                       const CoarseningOptions& options, const HierarchyFormat& format) {
+  const auto extension = extension_of(format.format);
+  if (!extension) return extension.error();
+  if (Status status = outputs.make_directory(directory); !status) return status;
+  for (std::size_t k = 0; k < hierarchy.levels.size(); ++k) {
+    const Level& level = hierarchy.levels[k];
+    const std::string name = directory + "/level_" + std::to_string(k);
+    if (Status status = write_geometry(outputs, name + *extension, format.format,
+                                       to_geometry(level.mesh, format.index_base));
+        !status)
+      return status;
+    if (Status status = write_column(outputs, name + ".origin", level.origin); !status)
+      return status;
+    if (Status status = write_column(outputs, name + ".spacing", level.spacing); !status)
+      return status;
+  }
+  const std::string json = describe(hierarchy, options, format);
+  return outputs.add(directory + "/hierarchy.json", [&](TextWriter& out) { out << json << '\n'; });
+}
+
+}  // namespace wellspaced

@@ -1,0 +1,31 @@
+// A coarsening sequence as a directory of files.
+#pragma once
+
+#include <string>
+
+#include "wellspaced/algorithms/coarsening/coarsen.hpp"
+#include "wellspaced/algorithms/coarsening/hierarchy.hpp"
+#include "wellspaced/io/files/output_set.hpp"
+#include "wellspaced/io/json/json_writer.hpp"
+#include "wellspaced/kernel/result.hpp"
+
+namespace wellspaced {
+
+struct HierarchyFormat {
+  std::string format = "triangle";  ///< of the meshes: one that formats() can write
+  Index index_base = 0;             ///< of the meshes' files
+};
+
+/// Writes, for each level K, the mesh level_K (in the files of its format), level_K.origin (for
+/// each node its 0-based number in the input) and level_K.spacing (its value), one a line; and
+/// hierarchy.json with the parameters, the special points and the sizes of the levels. No file
+/// holds a time, so that the same input and options give the same bytes.
+/// Errors: kUsage for a format that does not exist or cannot be written; those of OutputSet.
+Status write_hierarchy(OutputSet& outputs, const std::string& directory, const Hierarchy& hierarchy,
+                       const CoarseningOptions& options, const HierarchyFormat& format);
+
+/// The parameters of a sequence as fields of the open JSON object: method, scheme, metric, beta,
+/// factor, protect, seed.
+void describe_coarsening(JsonWriter& json, const CoarseningOptions& options);
+
+}  // namespace wellspaced

@@ -1,0 +1,190 @@
+// `wellspaced coarsen` as its users meet it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/support/data.hpp"
+#include "tests/support/program.hpp"
+
+namespace wellspaced {
+namespace {
+
+using test::ProgramRun;
+using test::run_program;
+using test::TemporaryDirectory;
+
+// The unit square, cut into 2 x side^2 triangles; numbers start at 1.
+void write_square(const TemporaryDirectory& directory, int side) {
+  std::string nodes = std::to_string((side + 1) * (side + 1)) + " 2 0 0\n";
+  std::string triangles = std::to_string(2 * side * side) + " 3 0\n";
+  int node = 0, triangle = 0;
+  for (int y = 0; y <= side; ++y)
+    for (int x = 0; x <= side; ++x) {
+      nodes += std::to_string(++node) + ' ' + std::to_string(x) + ' ' + std::to_string(y) + '\n';
+      if (x == side || y == side) continue;
+      const int above = node + side + 1;
+      const auto add = [&](int a, int b, int c) {
+        triangles += std::to_string(++triangle) + ' ' + std::to_string(a) + ' ' +
+                     std::to_string(b) + ' ' + std::to_string(c) + '\n';
+      };
+      add(node, node + 1, above + 1);
+      add(node, above + 1, above);
+    }
+  directory.write("square.node", nodes);
+  directory.write("square.ele", triangles);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Coarsen, WritesEveryLevelAndItsLinks) {
+  const TemporaryDirectory directory;
+  write_square(directory, 20);
+  const ProgramRun run =
+      run_program({"coarsen", directory / "square", "--factor", "2", "-o", directory / "out"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "\nlevel     nodes  triangles")) << run.out;
+  const std::string summary = test::read_bytes(directory / "out/hierarchy.json");
+  EXPECT_TRUE(contains(summary, "\"method\":\"function\"")) << summary;
+  EXPECT_TRUE(contains(summary, "\"fixed\":[0,20,420,440]")) << summary;
+  EXPECT_TRUE(contains(summary, "\"complete\":true")) << summary;
+  EXPECT_FALSE(contains(summary, "seconds")) << summary;
+  for (const char* name : {"level_0.node", "level_0.ele", "level_0.poly", "level_0.origin",
+                           "level_0.spacing", "level_1.node", "level_1.ele", "level_1.poly"})
+    EXPECT_FALSE(test::read_bytes(directory / (std::string("out/") + name)).empty()) << name;
+  const std::string origin = test::read_bytes(directory / "out/level_1.origin");
+  EXPECT_EQ(origin.substr(0, 2), "0\n");
+  const auto nodes = std::to_string(std::count(origin.begin(), origin.end(), '\n'));
+  EXPECT_EQ(test::read_bytes(directory / "out/level_1.node").rfind(nodes + " 2 ", 0), 0u);
+}
+
+TEST(Coarsen, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
+  const TemporaryDirectory directory;
+  write_square(directory, 20);
+  for (const char* name : {"1", "1", "2"}) {
+    static int number = 0;
+    const std::string out = directory / ("out" + std::to_string(number++));
+    ASSERT_EQ(run_program({"coarsen", directory / "square", "--seed", name, "-o", out}).exit_code,
+              0);
+  }
+  for (const char* name : {"/hierarchy.json", "/level_1.ele", "/level_1.spacing"}) {
+    const std::string first = test::read_bytes(directory / ("out0" + std::string(name)));
+    EXPECT_EQ(first, test::read_bytes(directory / ("out1" + std::string(name)))) << name;
+    EXPECT_NE(first, test::read_bytes(directory / ("out2" + std::string(name)))) << name;
+  }
+}
+
+TEST(Coarsen, PrintsTheContractOfItsJson) {
+  const TemporaryDirectory directory;
+  write_square(directory, 12);
+  const ProgramRun run =
+      run_program({"coarsen", directory / "square", "--json", "-", "--stats", "full", "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out.rfind("{\"input\":{\"nodes\":169,\"triangles\":288},\"method\":\"function\","
+                          "\"scheme\":\"fine-to-coarse\",\"metric\":\"graph\",\"beta\":25,"
+                          "\"factor\":8,",
+                          0),
+            0u)
+      << run.out;
+  for (const char* key :
+       {"\"seed\":1",
+        "\"levels\":[{\"level\":0,\"nodes\":169,\"triangles\":288,\"boundary_edges\":48",
+        "\"angles\":{\"interior_min\":45,\"boundary_min\":45,\"max\":90,\"interior_le_10\":0,"
+        "\"boundary_le_10\":0}",
+        "\"intersection\":null", "\"path_depth\":{\"mean\":", "\"search\":{\"mean\":",
+        "\"edge_search\":{\"mean\":", "\"node_nested\":true",
+        "\"seconds\":{\"spacing\":", "\"seconds_total\":", "\"peak_bytes\":"})
+    EXPECT_TRUE(contains(run.out, key)) << key << " in " << run.out;
+}
+
+TEST(Coarsen, LeavesMeasuresNullWhereNoneAreAskedFor) {
+  const TemporaryDirectory directory;
+  write_square(directory, 12);
+  const ProgramRun run =
+      run_program({"coarsen", directory / "square", "--json", "-", "--stats", "none"});
+  EXPECT_TRUE(contains(run.out,
+                       "\"angles\":{\"interior_min\":null,\"boundary_min\":null,"
+                       "\"max\":null,\"interior_le_10\":null,\"boundary_le_10\":null}"));
+  EXPECT_TRUE(contains(run.out, "\"path_depth\":null"));
+}
+
+TEST(Coarsen, RunsBothMethodsSideBySide) {
+  const TemporaryDirectory directory;
+  write_square(directory, 12);
+  const ProgramRun run = run_program({"coarsen", directory / "square", "--method", "function,mis",
+                                      "-o", directory / "out", "--format", "svg"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "function-based: beta 25, C 8, R 0.2, seed 1")) << run.out;
+  EXPECT_TRUE(contains(run.out, "MIS-based: R 0.15, seed 1")) << run.out;
+  for (const char* name : {"out/function/level_1.svg", "out/mis/level_1.svg"})
+    EXPECT_TRUE(contains(test::read_bytes(directory / name), "<svg")) << name;
+}
+
+TEST(Coarsen, StopsAfterTheLevelsOrAtTheNodesAskedFor) {
+  const TemporaryDirectory directory;
+  write_square(directory, 20);
+  const auto levels = [&](const std::string& option, const std::string& value) {
+    const ProgramRun run =
+        run_program({"coarsen", directory / "square", "--factor", "2", option, value});
+    return std::count(run.out.begin(), run.out.end(), '\n') - 3;
+  };
+  EXPECT_EQ(levels("--levels", "0"), 1);
+  EXPECT_EQ(levels("--levels", "2"), 3);
+  EXPECT_EQ(levels("--until", "441"), 1);
+  EXPECT_EQ(levels("--until", "440"), 2);
+}
+
+TEST(Coarsen, KeepsTheFixedPointsOfAFile) {
+  const TemporaryDirectory directory;
+  write_square(directory, 20);
+  const std::string fixed = directory.write("fixed", "0 20\n# the far corners\n420 440 7\n");
+  ASSERT_EQ(
+      run_program({"coarsen", directory / "square", "--fixed", fixed, "-o", directory / "out"})
+          .exit_code,
+      0);
+  EXPECT_EQ(test::read_bytes(directory / "out/level_2.origin"), "0\n7\n20\n420\n440\n");
+}
+
+TEST(Coarsen, RefusesOptionsOutOfRangeInOneLineAndWritesNothing) {
+  const TemporaryDirectory directory;
+  write_square(directory, 3);
+  const std::string fixed = directory.write("fixed", "0 1\n2 16\n");
+  const std::string word = directory.write("word", "0 x\n");
+  const auto expect_error = [&](const std::string& option, const std::string& value, int code,
+                                const std::string& what) {
+    const ProgramRun run =
+        run_program({"coarsen", directory / "square", "-o", directory / "out", option, value});
+    EXPECT_EQ(run.exit_code, code) << option << ' ' << value;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_TRUE(contains(run.err, what)) << run.err;
+  };
+  for (const char* value : {"1", "0", "-3", "nan", "inf", "x"}) {
+    expect_error("--beta", value, 2, "--beta");
+    expect_error("--factor", value, 2, "--factor");
+  }
+  expect_error("--protect", "-0.1", 2, "--protect");
+  expect_error("--method", "best", 2, "'best'");
+  expect_error("--levels", "-1", 2, "--levels");
+  expect_error("--stats", "some", 2, "--stats");
+  expect_error("--fixed", fixed, 4, "fixed:2: fixed point 16 is out of range");
+  expect_error("--fixed", word, 3, "fixed point 'x'");
+  expect_error("--fixed", directory / "missing", 3, "missing");
+  expect_error("--format", "pdf", 2, "'pdf'");
+  EXPECT_FALSE(std::filesystem::exists(directory / "out"));
+}
+
+TEST(Coarsen, WritesTheLevelsThatAreDoneAtALimit) {
+  const TemporaryDirectory directory;
+  write_square(directory, 3);
+  const ProgramRun run = run_program({"coarsen", directory / "square", "--time-limit", "1e-9",
+                                      "--json", "-", "-o", directory / "out"});
+  EXPECT_EQ(run.exit_code, 5) << run.err;
+  EXPECT_TRUE(contains(run.out, "\"complete\":false")) << run.out;
+  EXPECT_TRUE(contains(test::read_bytes(directory / "out/hierarchy.json"), "\"complete\":false"));
+}
+
+}  // namespace
+}  // namespace wellspaced
