@@ -12,7 +12,7 @@ extern const Command kPredicate;
 
 namespace {
 
-constexpr std::array kCommands = {&kGenerate, &kPredicate, &kConvert, &kCoarsen};
+constexpr std::array kCommands = {&kGenerate, &kCoarsen, &kPredicate, &kConvert};
 
 }  // namespace
 
