@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/predicate_cases.hpp"
+#include "wellspaced/kernel/crossing.hpp"
 
 namespace wellspaced::testing {
 namespace {
@@ -138,6 +139,45 @@ void add_all() {
   add<Case, Rung::kBig>("big", "spread", hard_lines<Case>(Family::kMixedExponents));
 }
 
+std::vector<Crossing> uniform_crossings() {
+  Random random(4);
+  const auto point = [&random] { return Point2{random.uniform(), random.uniform()}; };
+  std::vector<Crossing> crossings;
+  while (crossings.size() < kLines) {
+    const Crossing p{point(), point(), point(), point()};
+    if (relate_segments(p.a, p.b, p.c, p.d) == SegmentRelation::kCross) crossings.push_back(p);
+  }
+  return crossings;
+}
+
+// ask(p, q) for neighbouring crossings p, q.
+template <class Ask>
+void add_crossing(const char* name, Ask ask) {
+  benchmark::RegisterBenchmark(name, [ask](benchmark::State& state) {
+    const std::vector<Crossing> crossings = uniform_crossings();
+    for (auto _ : state) {
+      int sum = 0;
+      for (int i = 1; i < kLines; ++i) sum += ask(crossings[i - 1], crossings[i]);
+      benchmark::DoNotOptimize(sum);
+    }
+    state.counters["ns"] =
+        benchmark::Counter(static_cast<double>(state.iterations()) * (kLines - 1) * 1e-9,
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  });
+}
+
+void add_crossings() {
+  add_crossing("crossing/relate", [](const Crossing& p, const Crossing& q) {
+    return static_cast<int>(relate_segments(p.a, p.b, q.a, q.b));
+  });
+  add_crossing("crossing/side",
+               [](const Crossing& p, const Crossing& q) { return orient2d(q.a, q.b, p); });
+  add_crossing("crossing/compare",
+               [](const Crossing& p, const Crossing& q) { return compare_xy(p, q); });
+  add_crossing("crossing/round",
+               [](const Crossing& p, const Crossing&) { return round_crossing(p).count; });
+}
+
 }  // namespace
 }  // namespace wellspaced::testing
 
@@ -147,6 +187,7 @@ int main(int argc, char** argv) {
   add_all<IncircleCase>();
   add_all<Orient3dCase>();
   add_all<InsphereCase>();
+  add_crossings();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -73,7 +73,7 @@ struct Orient2dCase : PredicateCase<2, 3, exact::Orient2d> {
     return f(point2(&x[0]), point2(&x[2]), point2(&x[4]));
   }
   static int filter(const Coordinates& x) { return apply(predicate_filter::orient2d, x); }
-  static int sign(const Coordinates& x) { return apply(orient2d, x); }
+  static int sign(const Coordinates& x) { return orient2d(point2(&x[0]), point2(&x[2]), point2(&x[4])); }
 };
 
 struct IncircleCase : PredicateCase<2, 4, exact::Incircle> {
