@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "wellspaced/algorithms/audit/intersection.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 
@@ -40,6 +41,24 @@ std::vector<bool> boundary_nodes(const TriangleMesh& mesh) {
 std::optional<double> largest_deg(const AngleRange& one, const AngleRange& other) {
   if (one.empty && other.empty) return std::nullopt;
   return arccotangent_deg(std::min(one.smallest_cotangent, other.smallest_cotangent));
+}
+
+std::optional<MeanAndMax> intersection_of(const Level& level, const Level& finer) {
+  if (level.mesh.triangles.empty() || finer.mesh.triangles.empty()) return std::nullopt;
+  const auto counts = audit::count_intersections(finer.mesh, level.mesh, level.parent);
+  return MeanAndMax{counts.mean_per_coarse(), counts.max_per_coarse()};
+}
+
+std::optional<MeanAndMax> mean_over(std::size_t divisor, const SearchCount& count) {
+  if (count.searches == 0) return std::nullopt;
+  return MeanAndMax{static_cast<double>(count.total) / static_cast<double>(divisor), count.max};
+}
+
+void add_work(const CoarseningWork& work, LevelStatistics& statistics) {
+  statistics.search = mean_over(statistics.nodes, work.selection);
+  statistics.edge_search = mean_over(work.edge_protection.searches, work.edge_protection);
+  if (statistics.search)  // only the function-based method has paths
+    statistics.path_depth = MeanAndMax{work.path_depth_mean, work.path_depth_max};
 }
 
 }  // namespace
@@ -79,6 +98,17 @@ LevelStatistics mesh_statistics(const TriangleMesh& mesh) {
   result.angles = angle_statistics(mesh);
   result.gradation = gradation(mesh);
   return result;
+}
+
+std::vector<LevelStatistics> hierarchy_statistics(const Hierarchy& hierarchy) {
+  std::vector<LevelStatistics> rows;
+  for (const Level& level : hierarchy.levels) {
+    LevelStatistics row = mesh_statistics(level.mesh);
+    if (!rows.empty()) row.intersection = intersection_of(level, hierarchy.levels[rows.size() - 1]);
+    if (level.work) add_work(*level.work, row);
+    rows.push_back(row);
+  }
+  return rows;
 }
 
 }  // namespace wellspaced

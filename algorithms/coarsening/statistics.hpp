@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
+#include "wellspaced/algorithms/coarsening/hierarchy.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
@@ -34,9 +36,10 @@ struct MeanAndMax {
 
 /// One row of the tables of chapter 8. What was not measured is empty.
 ///
-/// intersection: triangles of the next finer level that a triangle of this level overlaps.
-/// path_depth: edges on the shortest path from a node to the one that gave it its spacing.
-/// search: nodes inspected per selected node. edge_search: nodes inspected per protected edge.
+/// intersection: triangles of the next finer level that a triangle of this level meets.
+/// The work of the step from this level to the next (see CoarseningWork): path_depth: edges on the
+/// shortest path that gave a node its spacing. search: nodes inspected by a selection; the mean is
+/// over all nodes of the level (CHOICES 2). edge_search: nodes inspected for a protected edge.
 struct LevelStatistics {
   std::size_t nodes = 0, triangles = 0, boundary_edges = 0;
   AngleStatistics angles;
@@ -46,5 +49,11 @@ struct LevelStatistics {
 
 /// What the level's mesh alone tells: sizes, angles and gradation. Requirements and cost as above.
 LevelStatistics mesh_statistics(const TriangleMesh& mesh);
+
+/// The statistics of every level; of the work, what the levels hold
+/// (CoarseningOptions::count_work). intersection: of a level's triangles with those of the level
+/// before, if both have some. Requires: as `coarsen` makes hierarchies. Cost: that of counting the
+/// intersections. See: sections 8.1 and 8.4.
+std::vector<LevelStatistics> hierarchy_statistics(const Hierarchy& hierarchy);
 
 }  // namespace wellspaced

@@ -1,32 +1,18 @@
 // The node sets of AIRFOIL 1 against those of another implementation of CHOICES.md.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <sstream>
+#include <string>
 
 #include "tests/support/data_files.hpp"
+#include "tests/support/tables.hpp"
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 
 namespace wellspaced {
 namespace {
 
-std::string table_file(const std::string& name) { return test::data_path("../tables/" + name); }
-
-// The special points of a mesh in tables/special_points.csv, whose last column lists them.
-std::vector<Index> listed_special_points(const std::string& mesh) {
-  std::ifstream file(table_file("special_points.csv"));
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind(mesh + ",", 0) != 0) continue;
-    std::istringstream list(line.substr(line.rfind(',') + 1));
-    return {std::istream_iterator<Index>(list), std::istream_iterator<Index>()};
-  }
-  return {};
-}
-
 void expect_golden_levels(CoarseningMethod method, const std::string& name) {
   const auto mesh = test::data_mesh("thesis/airfoil1");
-  const auto special = listed_special_points("airfoil1");
+  const auto special = test::listed_special_points("airfoil1");
   if (!mesh || special.empty()) GTEST_SKIP() << "no " << test::data_path("thesis/airfoil1");
   CoarseningOptions options;
   options.method = method;
@@ -35,8 +21,8 @@ void expect_golden_levels(CoarseningMethod method, const std::string& name) {
   ASSERT_TRUE(hierarchy.ok()) << hierarchy.error().message;
   std::size_t level = 1;
   for (;; ++level) {
-    const auto golden = test::index_file(
-        table_file("golden/airfoil1_" + name + "_seed1_level" + std::to_string(level) + ".txt"));
+    const auto golden = test::index_file(test::table_file(
+        "golden/airfoil1_" + name + "_seed1_level" + std::to_string(level) + ".txt"));
     if (golden.empty()) break;
     ASSERT_LT(level, hierarchy->levels.size());
     EXPECT_EQ(hierarchy->levels[level].origin, golden) << "level " << level;

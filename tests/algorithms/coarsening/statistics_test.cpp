@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
 
 namespace wellspaced {
@@ -60,6 +61,49 @@ TEST(Gradation, IsTheBinaryLogarithmOfLongestOverShortestEdge) {
   EXPECT_NEAR(gradation(generate_grid({.nx = 5, .ny = 5, .aspect = 10}).value()).value(),
               std::log2(std::sqrt(101.0)), 1e-14);
   EXPECT_FALSE(gradation({}).has_value());
+}
+
+TEST(HierarchyStatistics, GivesEveryLevelItsRow) {
+  CoarseningOptions options;
+  options.factor = 2;
+  options.count_work = true;
+  const Hierarchy hierarchy = coarsen(generate_grid({.nx = 40, .ny = 40}).value(), options).value();
+  const auto rows = hierarchy_statistics(hierarchy);
+  ASSERT_EQ(rows.size(), hierarchy.levels.size());
+  ASSERT_GE(rows.size(), 3u);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_EQ(rows[k].nodes, hierarchy.levels[k].mesh.points.size());
+    EXPECT_EQ(rows[k].triangles, hierarchy.levels[k].mesh.triangles.size());
+    EXPECT_EQ(rows[k].boundary_edges, hierarchy.levels[k].mesh.segments.size());
+    EXPECT_EQ(rows[k].intersection.has_value(), k > 0);
+    const bool has_next = k + 1 < rows.size();
+    EXPECT_EQ(rows[k].search.has_value(), has_next);
+    EXPECT_EQ(rows[k].edge_search.has_value(), has_next);
+    EXPECT_EQ(rows[k].path_depth.has_value(), has_next);
+  }
+}
+
+TEST(HierarchyStatistics, IntersectionCountsTheFinerTrianglesThatATriangleMeets) {
+  Hierarchy hierarchy;
+  hierarchy.levels.resize(2);
+  hierarchy.levels[0].mesh = generate_grid({.nx = 3, .ny = 3}).value();
+  hierarchy.levels[1].mesh.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  hierarchy.levels[1].mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  hierarchy.levels[1].parent = {0, 2, 8, 6};
+  const auto rows = hierarchy_statistics(hierarchy);
+  ASSERT_TRUE(rows[1].intersection.has_value());
+  EXPECT_EQ(rows[1].intersection->mean, 4);
+  EXPECT_EQ(rows[1].intersection->max, 4u);
+}
+
+TEST(HierarchyStatistics, MisHasNoPathsAndNoSearches) {
+  CoarseningOptions options;
+  options.method = CoarseningMethod::kMis;
+  options.count_work = true;
+  const auto rows =
+      hierarchy_statistics(coarsen(generate_grid({.nx = 20, .ny = 20}).value(), options).value());
+  EXPECT_FALSE(rows[0].path_depth || rows[0].search);
+  EXPECT_TRUE(rows[0].edge_search.has_value());
 }
 
 }  // namespace
