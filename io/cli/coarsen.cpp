@@ -119,31 +119,21 @@ Result<std::vector<Index>> read_fixed_points(const std::string& path, std::size_
 
 // ---- The run
 
-std::optional<MeanAndMax> mean_and_max(const SearchCount& count, std::size_t divisor) {
-  if (divisor == 0) return {};
-  return MeanAndMax{static_cast<double>(count.total) / static_cast<double>(divisor), count.max};
+LevelStatistics sizes_of(const TriangleMesh& mesh) {
+  LevelStatistics sizes;
+  sizes.nodes = mesh.points.size();
+  sizes.triangles = mesh.triangles.size();
+  sizes.boundary_edges = mesh.segments.size();
+  return sizes;
 }
 
-void add_work(const Level& level, CoarseningMethod method, LevelStatistics& statistics) {
-  if (!level.work) return;
-  const CoarseningWork& work = *level.work;
-  statistics.edge_search = mean_and_max(work.edge_protection, work.edge_protection.searches);
-  if (method != CoarseningMethod::kFunction) return;
-  statistics.path_depth = MeanAndMax{work.path_depth_mean, work.path_depth_max};
-  statistics.search = mean_and_max(work.selection, level.mesh.points.size());
-}
-
-LevelStatistics measure(const Level& level, const Request& request, CoarseningMethod method) {
-  if (request.statistics == Statistics::kNone) {
-    LevelStatistics sizes;
-    sizes.nodes = level.mesh.points.size();
-    sizes.triangles = level.mesh.triangles.size();
-    sizes.boundary_edges = level.mesh.segments.size();
-    return sizes;
-  }
-  LevelStatistics statistics = mesh_statistics(level.mesh);
-  add_work(level, method, statistics);
-  return statistics;
+std::vector<LevelStatistics> measure(const Hierarchy& hierarchy, Statistics detail) {
+  if (detail == Statistics::kFull) return hierarchy_statistics(hierarchy);
+  std::vector<LevelStatistics> rows;
+  for (const Level& level : hierarchy.levels)
+    rows.push_back(detail == Statistics::kNone ? sizes_of(level.mesh)
+                                               : mesh_statistics(level.mesh));
+  return rows;
 }
 
 Result<Run> run_method(const TriangleMesh& mesh, const Request& request, CoarseningMethod method,
@@ -165,8 +155,7 @@ Result<Run> run_method(const TriangleMesh& mesh, const Request& request, Coarsen
   run.options.progress = {};
   if (!hierarchy) return hierarchy.error();
   run.hierarchy = std::move(*hierarchy);
-  for (const Level& level : run.hierarchy.levels)
-    run.statistics.push_back(measure(level, request, method));
+  run.statistics = measure(run.hierarchy, request.statistics);
   return run;
 }
 
