@@ -9,10 +9,11 @@ extern const Command kCoarsen;
 extern const Command kConvert;
 extern const Command kGenerate;
 extern const Command kPredicate;
+extern const Command kTriangulate;
 
 namespace {
 
-constexpr std::array kCommands = {&kGenerate, &kCoarsen, &kPredicate, &kConvert};
+constexpr std::array kCommands = {&kGenerate, &kTriangulate, &kCoarsen, &kPredicate, &kConvert};
 
 }  // namespace
 

@@ -7,6 +7,9 @@
 #include <ctime>
 #include <new>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
 #include <unistd.h>
@@ -93,6 +96,12 @@ void reset_peak_resident() {
   if (file == nullptr) return;
   std::fputs("5", file);
   std::fclose(file);
+}
+
+void release_free_memory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
 }
 
 double wall_seconds() {

@@ -31,6 +31,10 @@ double cpu_seconds();
 /// Time on a steady clock, in seconds.
 double wall_seconds();
 
+/// Gives memory that the process has freed back to the system, where it can: so that what is
+/// resident is in use.
+void release_free_memory();
+
 /// `text` with control characters replaced by '?': one line, whatever a file name holds.
 std::string printable(std::string_view text);
 

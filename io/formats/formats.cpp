@@ -266,6 +266,12 @@ Geometry to_geometry(TriangleMesh mesh, Index index_base) {
   return geometry;
 }
 
+bool writes_triangle_files(const std::string& path, const std::string& format_name) {
+  if (path == "-") return false;
+  if (!format_name.empty()) return format_name == "triangle" || format_name == "poly";
+  return find_by_extension(path) == nullptr || triangle_set_name(path) != path;
+}
+
 Status write_geometry(OutputSet& outputs, const std::string& path, const std::string& format_name,
                       const Geometry& geometry) {
   const Format* const format =

@@ -31,7 +31,7 @@ std::span<const Format> formats();
 enum class Siblings { kIgnored, kRead };
 
 struct ReadOptions {
-  std::string format;                     ///< empty: by extension, else by content
+  std::string format = {};                ///< empty: by extension, else by content
   Siblings siblings = Siblings::kRead;    ///< a .poly without points reads its .node in any case
   std::uint64_t largest = kLargestInput;  ///< of one file, in bytes
 };
@@ -58,6 +58,10 @@ Pslg to_pslg(Geometry geometry);
 /// geometry; kUsage and kLimit as OutputSet::add().
 Status write_geometry(OutputSet& outputs, const std::string& path, const std::string& format,
                       const Geometry& geometry);
+
+/// Whether an output of that name and format, as they are given on a command line, is a set of
+/// Triangle's files: also where neither says anything.
+bool writes_triangle_files(const std::string& path, const std::string& format);
 
 /// A mesh as a geometry, to be written with the given index base.
 Geometry to_geometry(TriangleMesh mesh, Index index_base = 0);

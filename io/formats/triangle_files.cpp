@@ -153,19 +153,21 @@ Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t large
   return parse_poly(*text, path, &*points);
 }
 
-Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry,
+                          EmptyFiles empty) {
   const std::string set = triangle_set_name(path);
+  const bool all = empty == EmptyFiles::kWrite;
   const auto add = [&](const char* extension, const auto& write) {
-    return outputs.add(set + extension, [&](TextWriter& out) { write(out); });
+    return outputs.add(set + extension, [&](TextWriter& out) { write(out, geometry); });
   };
-  Status status = add(".node", [&](TextWriter& out) { write_node(out, geometry); });
-  if (status.ok() && geometry.has_cells())
-    status = add(".ele", [&](TextWriter& out) { write_ele(out, geometry); });
-  if (status.ok() && needs_poly(geometry))
-    status =
-        add(".poly", [&](TextWriter& out) { write_poly(out, geometry, PolyPoints::kInNodeFile); });
-  if (status.ok() && has_extension(path, ".edge"))
-    status = add(".edge", [&](TextWriter& out) { write_edge(out, geometry); });
+  const auto write_references = [](TextWriter& out, const Geometry& g) {
+    write_poly(out, g, PolyPoints::kInNodeFile);
+  };
+  Status status = add(".node", write_node);
+  if (status.ok() && (all || geometry.has_cells())) status = add(".ele", write_ele);
+  if (status.ok() && geometry.dimension == 2 && (all || needs_poly(geometry)))
+    status = add(".poly", write_references);
+  if (status.ok() && has_extension(path, ".edge")) status = add(".edge", write_edge);
   return status;
 }
 

@@ -22,10 +22,13 @@ Result<Geometry> read_triangle_set(const std::string& path, std::uint64_t larges
 /// Reads the one file `path`: a .node, or a .poly (which may refer to its .node).
 Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t largest = kLargestInput);
 
-/// Writes the set that `path`, with or without the extension of a file of it, stands for: the
-/// .node, the .ele where there are triangles or tetrahedra, and the .poly where there is anything
-/// for it. An extension .edge adds the file of all edges.
-Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry);
+/// Whether a set has an .ele without elements and a .poly without segments, holes and regions.
+enum class EmptyFiles { kLeaveOut, kWrite };
+
+/// Writes the set that `path`, with or without the extension of a file of it, stands for: .node,
+/// .ele, in the plane .poly and, if that is the extension, .edge.
+Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry,
+                          EmptyFiles empty = EmptyFiles::kLeaveOut);
 
 /// Writes a domain as one .poly file with its points.
 Status write_poly_file(OutputSet& outputs, const std::string& path, const Geometry& geometry);

@@ -25,14 +25,19 @@ class Strokes {
     return static_cast<Index>(std::lower_bound(places_.begin(), places_.end(), p) -
                               places_.begin());
   }
-  // The next arc at `place` whose line is not drawn, or null.
+  // The last arc at `place` whose line is not taken, or null.
   const Arc* next_arc(Index place);
-  void draw_stroke(Index start, std::string& data);
+  bool is_odd(Index place) const;
+  void draw_trail(Index start);
+  void draw_circuit(Index start);
+  void draw_line(Index from, Index to);
 
   std::vector<GridPoint> places_;
-  std::vector<Index> first_, next_;
+  std::vector<Index> first_, end_;
   std::vector<Arc> arcs_;
-  std::vector<char> drawn_;
+  std::vector<char> taken_;
+  Index pen_ = kNoIndex;
+  std::string data_;
 };
 
 Strokes::Strokes(std::vector<GridLine> lines) {
@@ -54,17 +59,16 @@ Strokes::Strokes(std::vector<GridLine> lines) {
   first_.assign(places_.size() + 1, 0);
   for (const auto& [from, arc] : arcs) ++first_[from + 1];
   for (std::size_t v = 0; v < places_.size(); ++v) first_[v + 1] += first_[v];
-  next_.assign(first_.begin(), first_.end() - 1);
+  end_.assign(first_.begin(), first_.end() - 1);
   arcs_.resize(arcs.size());
-  for (const auto& [from, arc] : arcs) arcs_[next_[from]++] = arc;
-  next_.assign(first_.begin(), first_.end() - 1);
-  drawn_.assign(lines.size(), 0);
+  for (const auto& [from, arc] : arcs) arcs_[end_[from]++] = arc;
+  taken_.assign(lines.size(), 0);
 }
 
 const Strokes::Arc* Strokes::next_arc(Index place) {
-  Index& next = next_[place];
-  while (next < first_[place + 1] && drawn_[arcs_[next].line] != 0) ++next;
-  return next < first_[place + 1] ? &arcs_[next] : nullptr;
+  Index& end = end_[place];
+  while (end > first_[place] && taken_[arcs_[end - 1].line] != 0) --end;
+  return end > first_[place] ? &arcs_[end - 1] : nullptr;
 }
 
 void append_number(int number, std::string& data) {
@@ -73,26 +77,57 @@ void append_number(int number, std::string& data) {
   data += std::to_string(number);
 }
 
-void Strokes::draw_stroke(Index start, std::string& data) {
-  data += 'M';
-  append_number(places_[start].x, data);
-  append_number(places_[start].y, data);
-  data += 'l';
+void Strokes::draw_line(Index from, Index to) {
+  if (from != pen_) {
+    data_ += 'M';
+    append_number(places_[from].x, data_);
+    append_number(places_[from].y, data_);
+    data_ += 'l';
+  }
+  append_number(places_[to].x - places_[from].x, data_);
+  append_number(places_[to].y - places_[from].y, data_);
+  pen_ = to;
+}
+
+// From a place where an odd number of lines is left the pen ends at another such place.
+void Strokes::draw_trail(Index start) {
   Index place = start;
   while (const Arc* arc = next_arc(place)) {
-    drawn_[arc->line] = 1;
-    append_number(places_[arc->target].x - places_[place].x, data);
-    append_number(places_[arc->target].y - places_[place].y, data);
+    taken_[arc->line] = 1;
+    draw_line(place, arc->target);
     place = arc->target;
   }
 }
 
+// Hierholzer's walk around what is left, once every place has an even number of lines: on along
+// lines not yet taken, and where there are none back, drawing.
+void Strokes::draw_circuit(Index start) {
+  std::vector<Index> way = {start};
+  while (!way.empty()) {
+    const Index place = way.back();
+    if (const Arc* arc = next_arc(place)) {
+      taken_[arc->line] = 1;
+      way.push_back(arc->target);
+    } else {
+      way.pop_back();
+      if (!way.empty()) draw_line(place, way.back());
+    }
+  }
+}
+
+bool Strokes::is_odd(Index place) const {
+  Index left = 0;
+  for (Index i = first_[place]; i < first_[place + 1]; ++i) left += taken_[arcs_[i].line] == 0;
+  return left % 2 == 1;
+}
+
 std::string Strokes::draw() {
-  std::string data;
   const auto count = static_cast<Index>(places_.size());
   for (Index start = 0; start < count; ++start)
-    while (next_arc(start) != nullptr) draw_stroke(start, data);
-  return data;
+    if (is_odd(start)) draw_trail(start);
+  for (Index start = 0; start < count; ++start)
+    if (next_arc(start) != nullptr) draw_circuit(start);
+  return std::move(data_);
 }
 
 }  // namespace
