@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/segment_network.hpp"
+#include "wellspaced/kernel/split_crossings.hpp"
 
 namespace wellspaced {
 namespace {
@@ -90,10 +91,18 @@ Error crossing_error(const SegmentNetwork& network) {
 }
 
 // Starts again with the crossings as vertices, or lists them.
-Status resolve_crossings(const Pslg& graph, CrossingRule, PlanarTriangulation&) {
+Status resolve_crossings(const Pslg& graph, CrossingRule rule, PlanarTriangulation& result) {
   const Result<SegmentNetwork> network = segment_network(graph.points, graph.segments);
   if (!network) return network.error();
-  return crossing_error(*network);
+  if (rule == CrossingRule::kRefuse) return crossing_error(*network);
+  Result<SplitGraph> split = split_at_crossings(graph.points, graph.segments, *network);
+  if (!split) return split.error();
+  result.added_points = static_cast<Index>(split->delaunay.points().size() - graph.points.size());
+  result.delaunay = std::move(split->delaunay);
+  result.segments.clear();
+  for (std::size_t s = 0; s < split->chains.size(); ++s)
+    add_pieces(split->chains[s], graph.segments[s].marker, result.segments);
+  return Ok{};
 }
 
 // ---- The domain ----------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/point_families.hpp"
 #include "tests/support/triangulation_checks.hpp"
 
@@ -144,6 +146,104 @@ TEST(Triangulate, RefuseAgreesWithAllPairs) {
     EXPECT_EQ(result.ok(), expected.empty());
     if (!result.ok()) EXPECT_EQ(result.error().ids, expected) << seed;
   }
+}
+
+// Segment number s as the chain of its pieces in the result, checked to run from end to end: a walk
+// over constrained edges that keep within a rounding error of the segment.
+void expect_chain(const PlanarTriangulation& result, const Segment& s) {
+  const auto& p = result.delaunay.points();
+  const Index end = result.delaunay.representative(s.b);
+  std::vector<Index> reached{result.delaunay.representative(s.a)};
+  const auto off_line = [&](Index v) {
+    const double dx = p[s.b].x - p[s.a].x, dy = p[s.b].y - p[s.a].y;
+    const double cross = dx * (p[v].y - p[s.a].y) - dy * (p[v].x - p[s.a].x);
+    const double length = std::sqrt(dx * dx + dy * dy),
+                 size = std::abs(p[s.a].x) + std::abs(p[s.a].y);
+    return std::abs(cross) > length * 0x1p-50 * (size + length);
+  };
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (const Segment& piece : result.segments)
+      for (const auto& [from, to] : {std::pair{piece.a, piece.b}, {piece.b, piece.a}})
+        if (from == reached[i] && !off_line(to) &&
+            std::find(reached.begin(), reached.end(), to) == reached.end())
+          reached.push_back(to);
+  EXPECT_NE(std::find(reached.begin(), reached.end(), end), reached.end())
+      << "segment " << s.a << '-' << s.b;
+}
+
+TEST(Triangulate, CrossingsBecomeVertices) {
+  Pslg graph;
+  graph.points = {{0, 0}, {2, 2}, {0, 2}, {2, 0}};
+  graph.segments = {{0, 1, 1}, {2, 3, 2}};
+  const auto result = triangulate(graph);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->added_points, 1u);
+  EXPECT_EQ(result->delaunay.points()[4], (Point2{1, 1}));
+  EXPECT_EQ(result->segments, (std::vector<Segment>{{0, 4, 1}, {1, 4, 1}, {2, 4, 2}, {3, 4, 2}}));
+}
+
+TEST(Triangulate, ConcurrentSegmentsShareOneVertexThatIsNoDouble) {
+  // All pass through (1/3, 1/3).
+  Pslg graph;
+  graph.points = {{0, 0}, {1, 1}, {0, 1}, {0.5, 0}, {1, 0}, {0, 0.5}, {-1, 1}, {1, 0}};
+  graph.segments = {{0, 1}, {2, 3}, {4, 5}};
+  const auto result = triangulate(graph);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->added_points, 1u);
+  EXPECT_NEAR(result->delaunay.points().back().x, 1. / 3, 1e-16);
+  EXPECT_EQ(result->segments.size(), 6u);
+}
+
+TEST(Triangulate, RandomCrossingsGiveAValidTriangulationWithEverySegmentAChain) {
+  int refused = 0, rounded = 0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    Pslg graph;
+    graph.points = seed % 3 == 0   ? test::uniform_points(24, seed)
+                   : seed % 3 == 1 ? test::lattice_points(24, 9, seed)
+                                   : test::one_ulp_neighbours(24, seed);
+    for (Index k = 0; k + 1 < 24; k += 2) graph.segments.push_back({k, k + 1});
+    const auto result = triangulate(graph);
+    ++rounded;
+    if (!result.ok()) {
+      EXPECT_EQ(result.error().ids.size(), 2u);
+      ++refused;
+      continue;
+    }
+    if (result->delaunay.dimension() < 2) continue;
+    EXPECT_TRUE(test::is_constrained_delaunay(result->delaunay)) << seed;
+    for (const Segment& s : graph.segments) expect_chain(*result, s);
+    const auto hull = result->delaunay.hull();
+    for (const Index v : hull) {
+      const auto bare = Delaunay2::build(graph.points);
+      EXPECT_NE(bare->locate(result->delaunay.points()[v]).place, Delaunay2::Place::kOutside);
+    }
+  }
+  EXPECT_LT(10 * refused, rounded);
+}
+
+// K12 on a lattice circle: every pair of 12 cocircular points, many of them concurrent.
+TEST(Triangulate, CompleteGraphOnALatticeCircleHasTheKnownNumberOfCrossings) {
+  Pslg graph;
+  for (const Point2 p : {Point2{5, 0},
+                         {4, 3},
+                         {3, 4},
+                         {0, 5},
+                         {-3, 4},
+                         {-4, 3},
+                         {-5, 0},
+                         {-4, -3},
+                         {-3, -4},
+                         {0, -5},
+                         {3, -4},
+                         {4, -3}})
+    graph.points.push_back(p);
+  for (Index i = 0; i < 12; ++i)
+    for (Index j = i + 1; j < 12; ++j) graph.segments.push_back({i, j});
+  const auto result = triangulate(graph);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_TRUE(test::is_constrained_delaunay(result->delaunay));
+  EXPECT_LT(result->added_points, 495u);  // 12 over 4, were no three concurrent
+  for (const Segment& s : graph.segments) expect_chain(*result, s);
 }
 
 TEST(Triangulate, ASegmentWithoutPointIsAnErrorThatNamesIt) {

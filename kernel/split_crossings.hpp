@@ -1,0 +1,35 @@
+// Makes the crossings of segments vertices, rounded to doubles that provably keep everything valid.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "wellspaced/kernel/delaunay2.hpp"
+#include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/result.hpp"
+#include "wellspaced/kernel/segment_network.hpp"
+
+namespace wellspaced {
+
+/// delaunay: the constrained Delaunay triangulation of the points and the crossings, which are
+/// numbered behind them. chains: for each segment the vertices along it.
+struct SplitGraph {
+  Delaunay2 delaunay;
+  std::vector<std::vector<Index>> chains;
+};
+
+/// Splits the segments at their crossings.
+///
+/// Which crossings coincide, and their order along each segment, is decided exactly. Each distinct
+/// crossing becomes one point, at the doubles nearest to it where the result is then a
+/// triangulation: no crossing outside the points' hull, no chains that cross, no two crossings at
+/// one point. Where they do, the crossings at fault are moved to other doubles within 2 units in
+/// the last place, and only if these will not do onto an input point there.
+///
+/// Errors: kInvalidGeometry with the ids of two segments that no rounding tried keeps apart.
+/// Cost: O(k log k) exact comparisons for k crossings, and a triangulation for each attempt.
+Result<SplitGraph> split_at_crossings(std::span<const Point2> points,
+                                      std::span<const Segment> segments,
+                                      const SegmentNetwork& network);
+
+}  // namespace wellspaced
