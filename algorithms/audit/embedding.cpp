@@ -117,6 +117,13 @@ std::vector<std::int8_t> orientations(const TriangleMesh& mesh) {
   return signs;
 }
 
+bool is_clockwise(const TriangleMesh& mesh) {
+  return !mesh.triangles.empty() &&
+         std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+           return orient2d(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]) < 0;
+         });
+}
+
 void audit_embedding(const TriangleMesh& mesh, const HalfEdges& half_edges,
                      const std::vector<std::int8_t>& orientation, Report& report) {
   audit_orientations(orientation, report);

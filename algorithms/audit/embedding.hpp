@@ -13,6 +13,10 @@ namespace wellspaced::audit {
 /// The orientation of each triangle: 1 counter-clockwise, -1 clockwise, 0 flat.
 std::vector<std::int8_t> orientations(const TriangleMesh& mesh);
 
+/// Whether there are triangles and all are clockwise: a mesh written the other way round.
+/// Requires: indices in range.
+bool is_clockwise(const TriangleMesh& mesh);
+
 /// Judges whether the triangles lie side by side. Checks, all required:
 ///   no_inverted      every triangle is counter-clockwise or flat
 ///   no_flat          no triangle has its corners on one line

@@ -52,10 +52,11 @@ Index item_of(std::uint64_t entry) { return static_cast<Index>(entry); }
 // Turns the sorted lists, edge by edge, into the result.
 class Pairing {
  public:
-  Pairing(Triangles triangles, std::size_t segments) : triangles_(triangles) {
+  Pairing(Triangles triangles, std::span<const Segment> segments)
+      : triangles_(triangles), segments_(segments) {
     result_.twin.assign(3 * triangles.size(), kNoIndex);
     result_.constrained.assign(3 * triangles.size(), 0);
-    result_.segment_edge.assign(segments, kNoIndex);
+    result_.segment_edge.assign(segments.size(), kNoIndex);
     half_edges_ = static_cast<Index>(3 * triangles.size());
   }
 
@@ -74,6 +75,7 @@ class Pairing {
   HalfEdges take_result() {
     auto& duplicates = result_.duplicate_triangles;
     std::sort(result_.duplicate_segments.begin(), result_.duplicate_segments.end());
+    std::sort(result_.conflicting_segments.begin(), result_.conflicting_segments.end());
     std::sort(duplicates.begin(), duplicates.end());
     duplicates.erase(std::unique(duplicates.begin(), duplicates.end()), duplicates.end());
     return std::move(result_);
@@ -86,8 +88,14 @@ class Pairing {
     for (const std::uint64_t& entry : segments) {
       const Index segment = item_of(entry) - half_edges_;
       if (!sides.empty()) result_.segment_edge[segment] = item_of(sides[0]);
-      if (&entry != &segments[0]) result_.duplicate_segments.push_back(segment);
+      if (&entry != &segments[0]) take_duplicate(item_of(segments[0]) - half_edges_, segment);
     }
+  }
+
+  void take_duplicate(Index earlier, Index segment) {
+    result_.duplicate_segments.push_back(segment);
+    if (segments_[earlier].marker != segments_[segment].marker)
+      result_.conflicting_segments.push_back(segment);
   }
 
   void pair_up(std::span<const std::uint64_t> sides) {
@@ -119,6 +127,7 @@ class Pairing {
   Index apex_of(std::uint64_t entry) const { return apex(triangles_, item_of(entry)); }
 
   Triangles triangles_;
+  std::span<const Segment> segments_;
   Index half_edges_ = 0;
   HalfEdges result_;
   std::vector<std::uint64_t> apexes_;
@@ -128,7 +137,7 @@ class Pairing {
 
 HalfEdges pair_half_edges(Triangles triangles, std::span<const Segment> segments, Index nodes) {
   EdgeLists lists(triangles, segments, nodes);
-  Pairing pairing(triangles, segments.size());
+  Pairing pairing(triangles, segments);
   for (Index low = 0; low < nodes; ++low) {
     const auto list = lists.sorted_from(low);
     for (std::size_t i = 0, end = 0; i < list.size(); i = end) {

@@ -24,10 +24,11 @@ struct HalfEdges {
   std::vector<Index> segment_edge;
   std::uint64_t edges = 0;
 
-  std::vector<Index> crowded_edges;        ///< pairs of nodes: more than two triangles
-  std::vector<Index> disagreeing_edges;    ///< pairs of nodes: two triangles, same direction
-  std::vector<Index> duplicate_triangles;  ///< triangles with the nodes of an earlier one
-  std::vector<Index> duplicate_segments;   ///< segments with the nodes of an earlier one
+  std::vector<Index> crowded_edges;         ///< pairs of nodes: more than two triangles
+  std::vector<Index> disagreeing_edges;     ///< pairs of nodes: two triangles, same direction
+  std::vector<Index> duplicate_triangles;   ///< triangles with the nodes of an earlier one
+  std::vector<Index> duplicate_segments;    ///< segments with the nodes of an earlier one
+  std::vector<Index> conflicting_segments;  ///< those of them that have another marker
 
   static constexpr Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static constexpr Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -36,6 +37,13 @@ struct HalfEdges {
   Index turn_left(Index h) const { return twin[previous(h)]; }
   /// The next one clockwise, or kNoIndex.
   Index turn_right(Index h) const { return twin[h] == kNoIndex ? kNoIndex : next(twin[h]); }
+
+  /// The boundary half-edge that follows boundary half-edge h along the rim of the same fan.
+  Index next_on_boundary(Index h) const {
+    Index g = next(h);
+    while (twin[g] != kNoIndex) g = next(twin[g]);
+    return g;
+  }
 };
 
 /// The nodes that a half-edge leaves and reaches.

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "wellspaced/algorithms/audit/delaunay.hpp"
+#include "wellspaced/algorithms/audit/domain.hpp"
 #include "wellspaced/algorithms/audit/embedding.hpp"
 #include "wellspaced/algorithms/audit/half_edges.hpp"
 #include "wellspaced/algorithms/audit/local_order.hpp"
@@ -13,12 +14,24 @@
 namespace wellspaced::audit {
 namespace {
 
-void audit_in_local_order(const TriangleMesh& mesh, Report& report) {
+void require_boundary_segments(const TriangleMesh& mesh, const HalfEdges& half_edges,
+                               Report& report) {
+  if (has_convex_boundary(mesh, half_edges)) return;
+  for (Check& check : report.checks)
+    if (check.name == "boundary_has_segments") check.required = true;
+}
+
+void audit_in_local_order(const TriangleMesh& mesh, const MeshAuditOptions& options,
+                          Report& report) {
   const auto nodes = static_cast<Index>(mesh.points.size());
   const HalfEdges half_edges = pair_half_edges(mesh.triangles, mesh.segments, nodes);
   audit_topology(mesh, half_edges, report);
+  if (options.segments == SegmentMeaning::kWholeBoundary)
+    require_boundary_segments(mesh, half_edges, report);
   const std::vector<std::int8_t> orientation = orientations(mesh);
   audit_embedding(mesh, half_edges, orientation, report);
+  if (options.domain != nullptr) audit_domain(mesh, half_edges, *options.domain, report);
+  if (!options.holes.empty()) audit_holes(mesh, options.holes, report);
   audit_delaunay(mesh, half_edges, orientation, report);
   audit_shape(mesh, half_edges, report);
 }
@@ -41,12 +54,12 @@ void restore_numbers(Report& report, std::size_t first_check, const LocalOrder& 
 
 }  // namespace
 
-Report audit_mesh(const TriangleMesh& mesh) {
+Report audit_mesh(const TriangleMesh& mesh, const MeshAuditOptions& options) {
   Report report;
   if (!audit_syntax(mesh, report)) return report;
   const std::size_t syntax = report.checks.size();
   const LocalOrder order = local_order(mesh);
-  audit_in_local_order(order.mesh, report);
+  audit_in_local_order(order.mesh, options, report);
   restore_numbers(report, syntax, order);
   return report;
 }

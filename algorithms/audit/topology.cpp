@@ -58,20 +58,13 @@ std::vector<std::uint8_t> count_fans(const TriangleMesh& mesh, const HalfEdges& 
   return fans;
 }
 
-// The boundary half-edge that follows boundary half-edge h along the rim of its fan.
-Index next_on_boundary(const HalfEdges& half_edges, Index h) {
-  Index g = HalfEdges::next(h);
-  while (half_edges.twin[g] != kNoIndex) g = half_edges.turn_right(g);
-  return g;
-}
-
 std::uint64_t count_boundary_loops(const HalfEdges& half_edges) {
   std::vector<std::uint8_t> marked(half_edges.twin.size(), 0);
   std::uint64_t loops = 0;
   for (Index h = 0; h < marked.size(); ++h) {
     if (half_edges.twin[h] != kNoIndex || marked[h] != 0) continue;
     ++loops;
-    for (Index g = h; marked[g] == 0; g = next_on_boundary(half_edges, g)) marked[g] = 1;
+    for (Index g = h; marked[g] == 0; g = half_edges.next_on_boundary(g)) marked[g] = 1;
   }
   return loops;
 }
@@ -119,7 +112,10 @@ void audit_nodes(const std::vector<std::uint8_t>& fans, Report& report) {
 }
 
 void audit_segments(const TriangleMesh& mesh, const HalfEdges& half_edges, Report& report) {
-  list(report, "no_duplicate_segment", Item::kSegment, half_edges.duplicate_segments);
+  Check& repeated = report.add_check("no_duplicate_segment", Item::kSegment, false);
+  for (const Index s : half_edges.duplicate_segments) repeated.violate({s});
+  Check& markers = report.add_check("one_marker_per_edge", Item::kSegment, true);
+  for (const Index s : half_edges.conflicting_segments) markers.violate({s});
   Check& edges = report.add_check("segments_are_edges", Item::kSegment, true);
   for (Index s = 0; s < mesh.segments.size(); ++s)
     if (half_edges.segment_edge[s] == kNoIndex) edges.violate({s});

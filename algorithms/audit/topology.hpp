@@ -27,7 +27,8 @@ bool audit_syntax(const TriangleMesh& mesh, Report& report);
 ///   euler                   (required) V - E + F = 2 components - boundary loops, nodes counted
 ///                           once a fan: no handle. violations: the number of handles
 ///   no_unused_node          every node is in a triangle
-///   no_duplicate_segment    (required) no two segments, of whatever markers, on one edge
+///   no_duplicate_segment    no two segments on one edge
+///   one_marker_per_edge     (required) segments on one edge have the same marker
 ///   segments_are_edges      (required) every segment is an edge of a triangle
 ///   boundary_has_segments   every edge with a triangle on one side only is a segment; not judged
 ///                           for a mesh without segments

@@ -5,6 +5,7 @@
 namespace wellspaced::cli {
 
 // To add a command: declare it here, list it below, define it in a file of its own.
+extern const Command kAudit;
 extern const Command kCoarsen;
 extern const Command kConvert;
 extern const Command kGenerate;
@@ -13,7 +14,8 @@ extern const Command kTriangulate;
 
 namespace {
 
-constexpr std::array kCommands = {&kGenerate, &kTriangulate, &kCoarsen, &kPredicate, &kConvert};
+constexpr std::array kCommands = {&kGenerate, &kTriangulate, &kCoarsen,
+                                  &kAudit,    &kPredicate,   &kConvert};
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "tests/support/real_meshes.hpp"
+#include "tests/support/data_files.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
 #include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/elementary.hpp"
@@ -112,7 +112,7 @@ std::vector<NamedMesh> clean_meshes() {
       {"spiral", spiral_strip(100, 40, 0.0078125)},
       {"random, larger", random_mesh(1500, 3)}};
   for (const char* name : {"thesis/airfoil1", "thesis/crack", "graded/su2_naca0012_inv"})
-    if (auto mesh = real_mesh(name)) meshes.push_back({name, std::move(*mesh)});
+    if (auto mesh = data_mesh(name)) meshes.push_back({name, std::move(*mesh)});
   return meshes;
 }
 

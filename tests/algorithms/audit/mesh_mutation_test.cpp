@@ -340,7 +340,7 @@ std::vector<Fault> topology_faults() {
          m.segments.push_back(s);
          return true;
        },
-       {"no_duplicate_segment"},
+       {"no_duplicate_segment", "one_marker_per_edge"},
        {}},
       {"lost segment",
        [](TriangleMesh& m, Random& r) {

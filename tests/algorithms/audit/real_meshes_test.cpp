@@ -1,7 +1,7 @@
 // The exact facts of data/README.md, mesh by mesh.
 #include <gtest/gtest.h>
 
-#include "tests/support/real_meshes.hpp"
+#include "tests/support/data_files.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 
 namespace wellspaced {
@@ -18,7 +18,7 @@ class RealMesh : public testing::TestWithParam<Facts> {};
 
 TEST_P(RealMesh, HasTheExactFactsOfItsReadme) {
   const Facts facts = GetParam();
-  const auto mesh = test::real_mesh(facts.name);
+  const auto mesh = test::data_mesh(facts.name);
   if (!mesh) GTEST_SKIP() << facts.name << " is not there";
   const audit::Report report = audit::audit_mesh(*mesh);
   for (const audit::Check& check : report.checks)
@@ -53,7 +53,7 @@ class Table81 : public testing::TestWithParam<Row> {};
 
 TEST_P(Table81, IsReproduced) {
   const Row row = GetParam();
-  const auto mesh = test::real_mesh(row.name);
+  const auto mesh = test::data_mesh(row.name);
   if (!mesh) GTEST_SKIP() << row.name << " is not there";
   const audit::Report report = audit::audit_mesh(*mesh);
   const auto measured = [&](const char* name) { return report.measure(name)->value; };

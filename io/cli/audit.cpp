@@ -1,0 +1,192 @@
+// wellspaced audit: the verdict on a mesh, whoever made it.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wellspaced/algorithms/audit/embedding.hpp"
+#include "wellspaced/algorithms/audit/mesh_audit.hpp"
+#include "wellspaced/algorithms/audit/requirement.hpp"
+#include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/io/formats/triangle_files.hpp"
+#include "wellspaced/io/formats/vtk.hpp"
+#include "wellspaced/io/report/audit_report.hpp"
+
+namespace wellspaced::cli {
+namespace {
+
+constexpr std::array<Option, 4> kOptions = {{
+    {"--domain", "FILE", "the domain that the mesh must conform to"},
+    {"--require", "NAME|EXPR|@FILE",
+     "let a check, or a bound like \"min_angle>=15\", count; @FILE: one a line",
+     Option::Times::kAnyNumber},
+    {"--strict", "", "let every check count"},
+    {"--vtu", "FILE", "write the mesh with the offenders marked, for ParaView"},
+}};
+
+// What the options ask for.
+struct Demands {
+  std::optional<Pslg> domain;
+  std::vector<audit::Requirement> requirements;
+  bool strict = false;
+  std::string vtu;
+};
+
+Status add_requirement(std::string_view text, Demands& demands) {
+  auto requirement = audit::parse_requirement(text);
+  if (!requirement) return requirement.error();
+  demands.requirements.push_back(std::move(*requirement));
+  return Ok{};
+}
+
+// One requirement a line; # starts a comment.
+Status read_requirements(const std::string& path, Demands& demands) {
+  const auto text = read_input(path);
+  if (!text) return text.error();
+  std::string_view rest = *text;
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    const std::string_view content = line.substr(0, line.find('#'));
+    if (content.find_first_not_of(" \t\r") == content.npos) continue;
+    if (Status status = add_requirement(content, demands); !status) return status;
+  }
+  return Ok{};
+}
+
+Status read_domain(const std::string& path, Demands& demands) {
+  auto geometry = read_geometry(path);
+  if (!geometry) return geometry.error();
+  if (geometry->dimension != 2)
+    return Error{ErrorCode::kUsage, "audit: --domain must name a planar domain", {}};
+  demands.domain = to_pslg(std::move(*geometry));
+  return Ok{};
+}
+
+Result<Demands> read_demands(const Arguments& arguments) {
+  Demands demands;
+  demands.strict = arguments.has("--strict");
+  demands.vtu = arguments.text("--vtu", "");
+  for (const std::string& text : arguments.values("--require")) {
+    const Status status = text.rfind('@', 0) == 0 ? read_requirements(text.substr(1), demands)
+                                                  : add_requirement(text, demands);
+    if (!status) return status.error();
+  }
+  if (const auto path = arguments.value("--domain"))
+    if (Status status = read_domain(*path, demands); !status) return status.error();
+  return demands;
+}
+
+// Readers turn a mesh whose triangles are all clockwise, and say so.
+void turn_if_clockwise(TriangleMesh& mesh, const std::string& name, Session& session) {
+  if (!audit::is_clockwise(mesh)) return;
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  session.note(name + ": all triangles were clockwise and have been turned");
+}
+
+Status apply(const Demands& demands, const TriangleMesh* mesh, audit::Report& report) {
+  if (demands.strict) audit::require_all(report);
+  for (const audit::Requirement& requirement : demands.requirements)
+    if (Status status = audit::require(requirement, mesh, report); !status) return status;
+  return Ok{};
+}
+
+Status write_picture(const std::string& path, const TriangleMesh& mesh, const audit::Report& report,
+                     Session& session) {
+  VtkGrid grid = vtk_grid(mesh);
+  mark_offenders(report, grid);
+  return session.outputs().add(path, [&](TextWriter& out) { write_vtu(out, grid); });
+}
+
+// In Triangle's formats the .poly beside a mesh describes its whole boundary.
+bool is_triangle_set(const std::string& path) { return triangle_set_name(path) != path; }
+
+// A file whose numbers can be read, but name nodes that do not exist or are not finite, has failed
+// the audit before it began.
+audit::Report report_on(const Error& invalid_input, Session& session) {
+  session.note(invalid_input.message);
+  audit::Report report;
+  report.add_check("valid_input", audit::Item::kNone, true).violate({});
+  return report;
+}
+
+Result<audit::Report> audit_file(const std::string& path, const Demands& demands,
+                                 Session& session) {
+  auto geometry = read_geometry(path);
+  if (!geometry && geometry.error().code == ErrorCode::kInvalidGeometry)
+    return report_on(geometry.error(), session);
+  if (!geometry) return geometry.error();
+  for (const std::string& note : geometry->notes) session.note(note);
+  if (geometry->dimension != 2 || !geometry->has_cells())
+    return Error{ErrorCode::kUnreadable, display_name(path) + ": holds no triangles to audit", {}};
+  TriangleMesh& mesh = geometry->mesh;
+  turn_if_clockwise(mesh, display_name(path), session);
+  audit::MeshAuditOptions options;
+  if (demands.domain) options.domain = &*demands.domain;
+  if (!demands.domain) options.holes = geometry->holes;
+  if (is_triangle_set(path)) options.segments = audit::SegmentMeaning::kWholeBoundary;
+  audit::Report report = audit::audit_mesh(mesh, options);
+  if (Status status = apply(demands, &mesh, report); !status) return status.error();
+  if (!demands.vtu.empty())
+    if (Status status = write_picture(demands.vtu, mesh, report, session); !status)
+      return status.error();
+  return report;
+}
+
+bool all_pass(const std::vector<audit::Report>& reports) {
+  for (const audit::Report& report : reports)
+    if (!report.pass()) return false;
+  return true;
+}
+
+// One input is one object; several are in a list.
+JsonWriter json_of(const std::vector<std::string>& paths,
+                   const std::vector<audit::Report>& reports) {
+  JsonWriter json;
+  json.begin_object();
+  if (reports.size() == 1) {
+    append_audit_json(json, reports[0]);
+    return json.end_object();
+  }
+  json.field("verdict", all_pass(reports) ? "pass" : "fail").key("inputs").begin_array();
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    json.begin_object().field("input", paths[i]);
+    append_audit_json(json, reports[i]);
+    json.end_object();
+  }
+  return json.end_array().end_object();
+}
+
+Result<int> run(Arguments& arguments, Session& session) {
+  const auto demands = read_demands(arguments);
+  if (!demands) return demands.error();
+  const std::vector<std::string>& paths = arguments.operands();
+  if (paths.size() > 1 && !demands->vtu.empty())
+    return Error{ErrorCode::kUsage, "audit: --vtu takes one input", {}};
+  std::vector<audit::Report> reports;
+  for (const std::string& path : paths) {
+    auto report = audit_file(path, *demands, session);
+    if (!report) return report.error();
+    session.print((paths.size() > 1 ? path + "\n" : "") + audit_table(*report));
+    reports.push_back(std::move(*report));
+  }
+  if (Status status = session.write_json(json_of(paths, reports)); !status) return status.error();
+  return all_pass(reports) ? kExitOk : kExitViolation;
+}
+
+}  // namespace
+
+extern const Command kAudit;
+const Command kAudit = {.name = "audit",
+                        .operands = "FILE...",
+                        .summary = "the verdict on a mesh: exact checks, measures, exit code 1",
+                        .least_operands = 1,
+                        .most_operands = 1000000,
+                        .options = kOptions,
+                        .run = run};
+
+}  // namespace wellspaced::cli

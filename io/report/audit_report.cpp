@@ -1,0 +1,171 @@
+#include "wellspaced/io/report/audit_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "wellspaced/io/text/text_writer.hpp"
+
+namespace wellspaced {
+namespace {
+
+using audit::Check;
+using audit::Item;
+using audit::Measure;
+using audit::Report;
+
+constexpr std::size_t kListed = 10;
+
+std::size_t listed_ids(const Check& check) {
+  return std::min(check.ids.size(), kListed * audit::ids_per(check.item));
+}
+
+template <class Values>
+void append_list(JsonWriter& json, const Values& values, std::size_t count) {
+  json.begin_array();
+  for (std::size_t i = 0; i < count; ++i) json.value(values[i]);
+  json.end_array();
+}
+
+void append_check(JsonWriter& json, const Check& check) {
+  json.begin_object().field("name", check.name);
+  if (check.level) json.field("level", *check.level);
+  json.field("required", check.required).field("pass", check.pass());
+  json.field("violations", check.violations).field("item", audit::name_of(check.item));
+  append_list(json.key("first"), check.ids, listed_ids(check));
+  json.key("value");
+  check.value ? json.value(*check.value) : json.null();
+  json.end_object();
+}
+
+void append_measures(JsonWriter& json, const Report& report, std::optional<Index> level) {
+  for (const Measure& measure : report.measures)
+    if (measure.level == level) json.field(measure.name, measure.value);
+}
+
+Index level_count(const Report& report) {
+  Index count = 0;
+  for (const Measure& measure : report.measures)
+    if (measure.level) count = std::max(count, *measure.level + 1);
+  return count;
+}
+
+void append_levels(JsonWriter& json, const Report& report) {
+  const Index count = level_count(report);
+  if (count == 0) return;
+  json.key("levels").begin_array();
+  for (Index level = 0; level < count; ++level) {
+    json.begin_object().field("level", level);
+    append_measures(json, report, level);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void append_histograms(JsonWriter& json, const Report& report) {
+  json.key("histograms").begin_object();
+  for (const audit::Histogram& histogram : report.histograms) {
+    json.key(histogram.name).begin_object();
+    append_list(json.key("bounds"), histogram.bounds, histogram.bounds.size());
+    append_list(json.key("counts"), histogram.counts, histogram.counts.size());
+    json.end_object();
+  }
+  json.end_object();
+}
+
+void append_worst(JsonWriter& json, const Report& report) {
+  json.key("worst").begin_object();
+  for (const audit::Worst& worst : report.worst) {
+    json.key(worst.measure).begin_object().field("item", audit::name_of(worst.item));
+    append_list(json.key("ids"), worst.ids, worst.ids.size());
+    append_list(json.key("values"), worst.values, worst.values.size());
+    json.end_object();
+  }
+  json.end_object();
+}
+
+std::string padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.append(width - text.size(), ' ');
+  return text;
+}
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string level_prefix(std::optional<Index> level) {
+  if (!level) return "";
+  std::string text = "level ";
+  return text.append(std::to_string(*level)).append(1, ' ');
+}
+
+// "FAIL: 8, edges 3-17 5-2 7-9 ..."
+std::string failure(const Check& check) {
+  TextWriter text;
+  text << (check.required ? "FAIL: " : "fails: ") << check.violations;
+  const unsigned width = audit::ids_per(check.item);
+  const std::size_t count = std::min<std::size_t>(check.ids.size(), 3 * width);
+  if (count > 0) text << ", " << audit::name_of(check.item) << "s";
+  for (std::size_t i = 0; i < count; ++i) text << (i % width == 0 ? " " : "-") << check.ids[i];
+  if (count < check.ids.size()) text << " ...";
+  return text.text();
+}
+
+std::string check_line(const Check& check) {
+  std::string line = "  " + padded(level_prefix(check.level) + check.name, 34);
+  line += check.required ? "required  " : "          ";
+  return line + (check.pass() ? "pass" : failure(check)) + "\n";
+}
+
+void mark(std::vector<std::int32_t>& field, const std::vector<Index>& ids) {
+  for (const Index id : ids)
+    if (id < field.size()) field[id] = 1;
+}
+
+bool is_of_cells(Item item) {
+  return item == Item::kTriangle || item == Item::kTrianglePair || item == Item::kTet ||
+         item == Item::kTetPair;
+}
+
+bool is_of_nodes(Item item) {
+  return item == Item::kNode || item == Item::kEdge || item == Item::kFace;
+}
+
+}  // namespace
+
+void append_audit_json(JsonWriter& json, const Report& report) {
+  json.field("verdict", report.pass() ? "pass" : "fail").key("checks").begin_array();
+  for (const Check& check : report.checks) append_check(json, check);
+  json.end_array().key("measures").begin_object();
+  append_measures(json, report, std::nullopt);
+  append_levels(json, report);
+  json.end_object();
+  append_histograms(json, report);
+  append_worst(json, report);
+}
+
+std::string audit_table(const Report& report) {
+  std::string text = std::string("verdict: ") + (report.pass() ? "pass" : "FAIL") + "\n";
+  for (const Check& check : report.checks) text += check_line(check);
+  for (const Measure& measure : report.measures)
+    text += "  " + padded(level_prefix(measure.level) + measure.name, 34) + rounded(measure.value) +
+            "\n";
+  return text;
+}
+
+void mark_offenders(const Report& report, VtkGrid& grid) {
+  for (const Check& check : report.checks) {
+    if (check.pass() || check.level || check.ids.empty()) continue;
+    const bool of_cells = is_of_cells(check.item);
+    if (!of_cells && !is_of_nodes(check.item)) continue;
+    std::vector<std::int32_t> field(of_cells ? grid.types.size() : grid.points.size(), 0);
+    mark(field, check.ids);
+    auto& fields = of_cells ? grid.cell_fields : grid.point_fields;
+    fields.push_back({check.name, std::move(field)});
+  }
+}
+
+}  // namespace wellspaced

@@ -1,0 +1,149 @@
+// wellspaced audit, as a CI job meets it.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/data.hpp"
+#include "tests/support/program.hpp"
+
+namespace wellspaced {
+namespace {
+
+using test::run_program;
+using test::TemporaryDirectory;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// A square of two triangles, written by hand.
+struct Square {
+  TemporaryDirectory directory;
+  std::string name = directory / "square.node";
+
+  explicit Square(const std::string& triangles = "2 3 0\n1 1 2 3\n2 1 3 4\n") {
+    directory.write("square.node", "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n");
+    directory.write("square.ele", triangles);
+  }
+};
+
+TEST(AuditCommand, PassesASoundMeshAndPrintsATable) {
+  const Square square;
+  const auto run = run_program({"audit", square.name});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out.rfind("verdict: pass\n", 0), 0u);
+  EXPECT_TRUE(contains(run.out, "no_overlap"));
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(AuditCommand, FailsWithExitCode1AndNamesTheOffenders) {
+  const Square square("2 3 0\n1 1 2 3\n2 1 4 3\n");
+  const auto run = run_program({"audit", square.name});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out.rfind("verdict: FAIL\n", 0), 0u);
+  EXPECT_TRUE(contains(run.out, "FAIL: 1, triangles 1\n"));
+}
+
+TEST(AuditCommand, TurnsAMeshThatIsClockwiseThroughoutAndSaysSo) {
+  const Square square("2 3 0\n1 1 3 2\n2 1 4 3\n");
+  const auto run = run_program({"audit", square.name});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.err, "clockwise"));
+}
+
+TEST(AuditCommand, PrintsTheContractOfItsJson) {
+  const Square square;
+  const auto run = run_program({"audit", square.name, "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.out.rfind("{\"verdict\":\"pass\",\"checks\":[{\"name\":\"valid_indices\","
+                          "\"required\":true,\"pass\":true,\"violations\":0,"
+                          "\"item\":\"triangle\",\"first\":[],\"value\":null}",
+                          0),
+            0u)
+      << run.out.substr(0, 200);
+  EXPECT_TRUE(contains(run.out, "\"measures\":{"));
+  EXPECT_TRUE(contains(run.out, "\"min_angle\":26.5650511770779"));
+}
+
+TEST(AuditCommand, CountsWhatTheUserRequires) {
+  const Square square;
+  EXPECT_EQ(run_program({"audit", square.name, "--require", "min_angle>=26"}).exit_code, 0);
+  const auto run = run_program({"audit", square.name, "--require", "min_angle>=27", "--require",
+                                "aspect_ratio<=3", "--json", "-"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.out,
+                       "{\"name\":\"min_angle>=27\",\"required\":true,\"pass\":false,"
+                       "\"violations\":2,\"item\":\"triangle\",\"first\":[0,1],"));
+  const std::string file = square.directory.write("rules",
+                                                  "# of the house\nmin_angle >= 20\n"
+                                                  "max_angle<=89 # sharp\n");
+  EXPECT_EQ(run_program({"audit", square.name, "--require", "@" + file}).exit_code, 1);
+  EXPECT_EQ(run_program({"audit", square.name, "--require", "frobnicate"}).exit_code, 2);
+  EXPECT_EQ(run_program({"audit", square.name, "--require", "a b"}).exit_code, 2);
+}
+
+TEST(AuditCommand, IsStrictWhenAsked) {
+  const Square square("2 3 0\n1 1 2 3\n2 1 3 4\n");
+  square.directory.write("square.poly", "0 2 0 0\n1 0\n1 1 2\n0\n");
+  // Three boundary edges have no segment; the mesh fills a convex polygon, so it passes.
+  EXPECT_EQ(run_program({"audit", square.name}).exit_code, 0);
+  EXPECT_EQ(run_program({"audit", square.name, "--strict"}).exit_code, 1);
+}
+
+TEST(AuditCommand, JudgesConformityToADomain) {
+  const Square square;
+  const std::string good = square.directory.write("good.poly",
+                                                  "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n"
+                                                  "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  EXPECT_EQ(run_program({"audit", square.name, "--domain", good}).exit_code, 0);
+  const std::string other =
+      square.directory.write("other.poly", "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n1 0\n1 2 4\n0\n");
+  const auto run = run_program({"audit", square.name, "--domain", other});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.out, "FAIL: 1, domain segments 0\n")) << run.out;
+}
+
+TEST(AuditCommand, MarksTheOffendersInAPicture) {
+  const Square square("2 3 0\n1 1 2 3\n2 1 4 3\n");
+  const std::string picture = square.directory / "out.vtu";
+  EXPECT_EQ(run_program({"audit", square.name, "--vtu", picture}).exit_code, 1);
+  const std::string text = test::read_bytes(picture);
+  EXPECT_TRUE(contains(text, "Name=\"no_inverted\""));
+  EXPECT_TRUE(contains(text, "Name=\"consistent_orientation\""));
+}
+
+TEST(AuditCommand, JudgesSeveralFilesTogether) {
+  const Square good;
+  const Square bad("2 3 0\n1 1 2 3\n2 1 4 3\n");
+  const auto run = run_program({"audit", good.name, bad.name, "--json", "-"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out.rfind("{\"verdict\":\"fail\",\"inputs\":[{\"input\":", 0), 0u);
+  EXPECT_EQ(run_program({"audit", good.name, good.name}).exit_code, 0);
+}
+
+TEST(AuditCommand, FailsAMeshThatNamesNodesWhichDoNotExist) {
+  const Square square("1 3 0\n1 1 2 9\n");
+  const auto run = run_program({"audit", square.name, "--json", "-"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.out.rfind("{\"verdict\":\"fail\",\"checks\":[{\"name\":\"valid_input\"", 0), 0u);
+  EXPECT_TRUE(contains(run.err, "point 9"));
+}
+
+TEST(AuditCommand, ReportsWhatItCannotRead) {
+  EXPECT_EQ(run_program({"audit", "/no/such/file.node"}).exit_code, 3);
+  const Square square("1 3 0\n1 1 2\n");
+  EXPECT_EQ(run_program({"audit", square.name}).exit_code, 3);
+}
+
+TEST(AuditCommand, StatesTheFactsOfTheRealMeshes) {
+  WELLSPACED_REQUIRE_DATA("thesis/crack_merged.node");
+  const std::string mesh = test::data_path("thesis/crack_merged.node");
+  const auto run = run_program({"audit", mesh, "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.out,
+                       "{\"name\":\"constrained_delaunay\",\"required\":false,\"pass\":false,"
+                       "\"violations\":1749,"));
+}
+
+}  // namespace
+}  // namespace wellspaced
