@@ -11,7 +11,10 @@
 namespace wellspaced {
 namespace {
 
-constexpr int kMaxAttempts = 50;
+// For some attempts the result must have the very vertices on each segment that the exact crossings
+// have; then it will do if it is valid.
+constexpr int kStrictAttempts = 25;
+constexpr int kMaxAttempts = 75;
 
 // A distinct crossing: two of the segments through it, and the doubles it may be rounded to.
 struct Node {
@@ -36,7 +39,7 @@ class Splitter {
   std::vector<Point2> all_points() const;
   Result<SplitGraph> attempt(std::vector<Index>& conflicts) const;
   bool shares_its_point(const Delaunay2& dt, Index node) const;
-  Index blame(const Error& error) const;
+  Index blame(const Delaunay2& dt, std::span<const Index> vertices) const;
   bool move_on(const std::vector<Index>& conflicts);
   Error refusal(Index node) const;
 
@@ -46,6 +49,7 @@ class Splitter {
   std::vector<Index> node_of_;  // of each crossing pair
   std::vector<Node> nodes_;     // ascending by x, then y
   std::vector<std::vector<Index>> chains_;
+  bool strict_ = true;  // whether pieces may not run through other vertices
 };
 
 Crossing Splitter::crossing(const SegmentCrossing& pair) const {
@@ -164,9 +168,10 @@ Result<SplitGraph> Splitter::attempt(std::vector<Index>& conflicts) const {
       const Result<std::vector<Index>> path =
           split.delaunay.insert_constraint(chain[i], chain[i + 1]);
       if (!path) {
-        conflicts.push_back(blame(path.error()));
+        conflicts.push_back(blame(split.delaunay, path.error().ids));
         continue;
       }
+      if (path->size() > 2 && strict_) conflicts.push_back(blame(split.delaunay, *path));
       refined.insert(refined.end(), path->begin() + 1, path->end());
     }
     split.chains.push_back(std::move(refined));
@@ -175,15 +180,19 @@ Result<SplitGraph> Splitter::attempt(std::vector<Index>& conflicts) const {
   return refusal(conflicts.front());
 }
 
-// Of the crossings that end one of two pieces in each other's way, the one moved least so far.
-// There is one: pieces between input points do not cross.
-Index Splitter::blame(const Error& error) const {
+// Of the crossings among vertices in each other's way, the one moved least so far. There is one,
+// perhaps on an input point: between input points all is exact.
+Index Splitter::blame(const Delaunay2& dt, std::span<const Index> vertices) const {
   Index blamed = kNoIndex;
-  for (const Index id : error.ids) {
-    if (id < points_.size()) continue;
-    const Index node = id - static_cast<Index>(points_.size());
+  const auto consider = [&](Index node) {
     if (blamed == kNoIndex || nodes_[node].choice < nodes_[blamed].choice) blamed = node;
-  }
+  };
+  const Index first_node = static_cast<Index>(points_.size());
+  for (const Index v : vertices)
+    if (v >= first_node) consider(v - first_node);
+  for (Index node = 0; blamed == kNoIndex && node < nodes_.size(); ++node)
+    for (const Index v : vertices)
+      if (dt.representative(first_node + node) == v) consider(node);
   assert(blamed != kNoIndex);
   return blamed;
 }
@@ -206,6 +215,7 @@ Result<SplitGraph> Splitter::run() {
   if (Status status = find_candidates(); !status) return status.error();
   for (int k = 1;; ++k) {
     std::vector<Index> conflicts;
+    strict_ = k <= kStrictAttempts;
     Result<SplitGraph> split = attempt(conflicts);
     if (split || conflicts.empty() || k == kMaxAttempts) return split;
     std::sort(conflicts.begin(), conflicts.end());  // so that none moves twice

@@ -202,5 +202,32 @@ TEST(Triangulate, AgreesWithTheTruthOnPublicBugReports) {
   EXPECT_GE(checked, 190);
 }
 
+// Where crossings must be rounded, the answer is valid or the refusal clean, and refusals are few.
+TEST(Triangulate, RoundsCrossingsOfPublicBugReportsValidlyOrRefuses) {
+  WELLSPACED_REQUIRE_DATA("issues/truth.json");
+  const auto truth = JsonReader::read(read_bytes(test::data_path("issues/truth.json")));
+  ASSERT_TRUE(truth.has_value());
+  int rounded = 0, refused = 0;
+  for (const auto& [name, entry] : (*truth)["cases"].members) {
+    const Json& facts = entry["truth"];
+    if (!(facts["cdt_added_vertices"].number > 0)) continue;
+    ++rounded;
+    const auto run = run_program({"triangulate", test::data_path("issues/" + name), "--holes",
+                                  "none", "--quiet", "--json", "-"});
+    if (run.exit_code == 4) {
+      EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+      ++refused;
+      continue;
+    }
+    const Json json = *JsonReader::read(run.out);
+    const double vertices = json["distinct_points"].number + json["added_points"].number;
+    EXPECT_EQ(json["added_points"].number, facts["cdt_added_vertices"].number) << name;
+    EXPECT_EQ(json["hull_points"].number, facts["hull_boundary_points"].number) << name;
+    EXPECT_LE(json["triangles"].number, 2 * vertices - 2 - json["hull_points"].number) << name;
+  }
+  EXPECT_GT(rounded, 20);
+  EXPECT_LT(10 * refused, rounded);
+}
+
 }  // namespace
 }  // namespace wellspaced
