@@ -57,6 +57,21 @@ inline int Delaunay3::side_of_facet(Facet f, Point3 p) const {
   return orient3d(points_[a], points_[b], points_[c], p);
 }
 
+// The lowest facet of tet t but `entry` that has p strictly on its far side, or 4. Facets whose
+// side the filter cannot tell are asked only where none is certain.
+inline unsigned Delaunay3::exit_facet(Index t, unsigned entry, Point3 p) const {
+  const auto& v = topology_.vertices(t);
+  const auto signs =
+      predicate_filter::sides(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p)
+          .signs();
+  const unsigned candidates = 0b1111u & ~(1u << entry);
+  if (signs.negative & candidates)
+    return static_cast<unsigned>(std::countr_zero(signs.negative & candidates));
+  for (unsigned i = 0; i < 4; ++i)
+    if ((candidates & ~signs.certain) >> i & 1 && side_of_facet({t, i}, p) < 0) return i;
+  return 4;
+}
+
 // A tet that p lies in or on, or a ghost that p lies strictly beyond. From tet to tet over a facet
 // that has p strictly on its far side: in a Delaunay triangulation that cannot run in circles.
 Index Delaunay3::walk(Point3 p, Index hint) const {
@@ -64,9 +79,7 @@ Index Delaunay3::walk(Point3 p, Index hint) const {
   if (topology_.is_ghost(t)) t = topology_.neighbor(t, 3);
   unsigned entry = 4;  // the facet over which t was entered; none yet
   for (Index steps = 0; steps < topology_.size(); ++steps) {
-    unsigned exit = 4;
-    for (unsigned i = 0; i < 4 && exit == 4; ++i)
-      if (i != entry && side_of_facet({t, i}, p) < 0) exit = i;
+    const unsigned exit = exit_facet(t, entry, p);
     if (exit == 4) return t;
     const Facet entered = topology_.mirror({t, exit});
     t = entered.tet;
@@ -228,19 +241,24 @@ void Delaunay3::number_as_input(std::span<const Point3> points, std::vector<Inde
     representative_.resize(points.size());
     for (std::size_t i = 0; i < order.size(); ++i) representative_[input_number[i]] = order[i];
   }
+  if (dimension_ == 3) index_tets(order);
   topology_.renumber_vertices(order);
   for (auto& triangle : triangles_)
     for (Index& v : triangle) v = order[v];
   for (Index& v : chain_) v = order[v];
   points_.assign(points.begin(), points.end());
-  if (dimension_ == 3) index_tets();
 }
 
-void Delaunay3::index_tets() {
-  tet_of_.assign(points_.size(), kNoIndex);
-  for (Index t = topology_.size(); t-- > 0;)
+// Notes a tet of each vertex, numbered as `order` will have it: the scattered writes are left to
+// the vertices, of which there are fewer than corners.
+void Delaunay3::index_tets(const std::vector<Index>& order) {
+  std::vector<Index> tet_of(order.size(), kNoIndex);
+  for (Index t = 0; t < topology_.size(); ++t)
     for (const Index v : topology_.vertices(t))
-      if (v != kGhost) tet_of_[v] = t;
+      if (v != kGhost) tet_of[v] = t;
+  tet_of_.assign(order.size(), kNoIndex);
+  for (Index v = 0; v < order.size(); ++v)
+    if (tet_of[v] != kNoIndex) tet_of_[order[v]] = tet_of[v];
 }
 
 // ---- Insertion ---------------------------------------------------------------------------------

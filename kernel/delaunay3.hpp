@@ -103,10 +103,11 @@ class Delaunay3 {
   void take_chain(std::vector<Duplicate>& duplicates);
   void number_as_input(std::span<const Point3> points, std::vector<Index>& order,
                        const std::vector<Duplicate>& duplicates);
-  void index_tets();
+  void index_tets(const std::vector<Index>& order);
   Result<Index> insert_anew(Point3 p);
 
   int side_of_facet(Facet f, Point3 p) const;
+  unsigned exit_facet(Index t, unsigned entry, Point3 p) const;
   Index walk(Point3 p, Index hint) const;
   Index search_all(Point3 p) const;
   Index vertex_at(Index t, Point3 p) const;

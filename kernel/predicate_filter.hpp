@@ -5,15 +5,16 @@
 // and no scale is assumed. A sign other than 0 is proven; 0 says only that |D| <= E.
 //
 // Why the bounds hold. Let u = 2^-53, so that one operation errs by at most a factor 1 + 1.001 u,
-// also where a compiler keeps excess precision or contracts a*b + c to a fused operation (which only
-// leaves out roundings). A product that is reached through r roundings has a relative error of at
-// most (1 + 1.001 u)^r - 1 < 1.01 r u, so that |D - exact| <= 1.01 r u P, where P (the permanent) is
-// the sum of the magnitudes of all products. E is a cheap upper bound on that. Sums and differences
-// of doubles never underflow inexactly; a product that underflows errs by at most 2^-1074 in
-// addition, and each bound carries a term that outgrows what becomes of it. Overflow anywhere leaves
-// D infinite or not a number, and then nothing is certified.
+// also where a compiler keeps excess precision or contracts a*b + c to a fused operation (which
+// only leaves out roundings). A product that is reached through r roundings has a relative error of
+// at most (1 + 1.001 u)^r - 1 < 1.01 r u, so that |D - exact| <= 1.01 r u P, where P (the
+// permanent) is the sum of the magnitudes of all products. E is a cheap upper bound on that. Sums
+// and differences of doubles never underflow inexactly; a product that underflows errs by at most
+// 2^-1074 in addition, and each bound carries a term that outgrows what becomes of it. Overflow
+// anywhere leaves D infinite or not a number, and then nothing is certified.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -106,6 +107,51 @@ inline Point3 difference(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z
 
 inline int orient3d(Point3 a, Point3 b, Point3 c, Point3 d) {
   return orient3d_of_differences(difference(a, d), difference(b, d), difference(c, d));
+}
+
+/// orient3d of a point against the four facets of a tet, and a bound on what they err by.
+struct TetSides {
+  std::array<double, 4> determinant;
+  double bound;
+
+  /// Bit i: the sign of entry i is certain; and negative besides.
+  struct Signs {
+    unsigned certain = 0, negative = 0;
+  };
+  Signs signs() const {
+    Signs signs;
+    for (unsigned i = 0; i < 4; ++i) {
+      const double magnitude = std::fabs(determinant[i]);
+      const unsigned certain =
+          (magnitude > bound) & (magnitude <= std::numeric_limits<double>::max());
+      signs.certain |= certain << i;
+      signs.negative |= (certain & (determinant[i] < 0)) << i;
+    }
+    return signs;
+  }
+};
+
+/// For a' = a - p, ..., d' = d - p, each rounded once: entry i has the sign of orient3d(u, v, w, p)
+/// for the facet (u, v, w) opposite corner i, counter-clockwise seen from outside if the tet is
+/// positive; so all are positive where p lies inside.
+inline TetSides sides_of_differences(Point3 a, Point3 b, Point3 c, Point3 d) {
+  const double ab = a.x * b.y - a.y * b.x;
+  const double bc = b.x * c.y - b.y * c.x;
+  const double cd = c.x * d.y - c.y * d.x;
+  const double da = d.x * a.y - d.y * a.x;
+  const double ac = a.x * c.y - a.y * c.x;
+  const double bd = b.x * d.y - b.y * d.x;
+  const double x = largest_magnitude(a.x, b.x, largest_magnitude(c.x, d.x, 0));
+  const double y = largest_magnitude(a.y, b.y, largest_magnitude(c.y, d.y, 0));
+  const double z = largest_magnitude(a.z, b.z, largest_magnitude(c.z, d.z, 0));
+  return {{b.z * cd - c.z * bd + d.z * bc, -(c.z * da + d.z * ac + a.z * cd),
+           d.z * ab + a.z * bd + b.z * da, -(a.z * bc - b.z * ac + c.z * ab)},
+          x * (kOrient3dBound * (y * z) + kOrient3dUnderflow) + kOrient3dUnderflow};
+}
+
+inline TetSides sides(Point3 a, Point3 b, Point3 c, Point3 d, Point3 p) {
+  return sides_of_differences(difference(a, p), difference(b, p), difference(c, p),
+                              difference(d, p));
 }
 
 /// r = 17. A 3 x 3 permanent with rows of lengths p, q, r is at most 6 / sqrt(27) pqr (Carlen, Lieb

@@ -42,24 +42,25 @@ struct HashTable {
 }  // namespace
 
 // Whether a vertex was met before cannot be predicted, so nothing branches on it.
-Index StarFiller3::number_rim_vertices(std::span<const RimFacet> rim) {
-  if (vertex_in_slot_.size() <= 3 * rim.size()) vertex_in_slot_.resize(6 * rim.size() + 1);
+void StarFiller3::number_rim_vertices(std::span<const RimFacet> rim) {
+  if (next_number_ > kNoIndex / 2) {
+    std::fill(number_of_vertex_.begin(), number_of_vertex_.end(), 0);
+    next_number_ = 1;
+  }
   rim_slots_.resize(rim.size());
-  Index slots = 0;
+  const Index first = next_number_;
+  Index next = first;
   for (std::size_t r = 0; r < rim.size(); ++r) {
     const auto& corners = Triangulation3::kFacetCorners[rim[r].corner];
     for (unsigned e = 0; e < 3; ++e) {
-      const Index vertex = rim[r].vertex[corners[e]];
-      Index& slot = slot_of_vertex_[static_cast<Index>(vertex + 1)];
-      // A slot that an earlier cavity left there is caught out by the vertex in it.
-      const bool known = (slot < slots) & (vertex_in_slot_[slot] == vertex);
-      slot ^= (slot ^ slots) & (Index{known} - 1);
-      vertex_in_slot_[slot] = vertex;
-      slots += !known;
-      rim_slots_[r][e] = slot;
+      Index& number = number_of_vertex_[static_cast<Index>(rim[r].vertex[corners[e]] + 1)];
+      const Index is_new = number < first;
+      number += (next - number) * is_new;
+      next += is_new;
+      rim_slots_[r][e] = number - first;
     }
   }
-  return slots;
+  next_number_ = next;
 }
 
 // Puts a tet on every rim facet, links it to the outside and to its three neighbours in the star.
@@ -94,8 +95,9 @@ void StarFiller3::fill(Triangulation3& topology, Triangulation3::Cavity& cavity,
   for (std::size_t i = old_tets; i < new_tets; ++i)
     cavity.tets.push_back(topology.size() + static_cast<Index>(i - old_tets));
   topology.tets_.resize(topology.tets_.size() + cavity.tets.size() - old_tets);
-  const Index slots = number_rim_vertices(cavity.rim);
+  number_rim_vertices(cavity.rim);
   for (RimFacet& facet : cavity.rim) facet.vertex[facet.corner] = apex;
+  const std::size_t slots = new_tets / 2 + 2;  // Euler's formula for the rim
   if (slots <= SquareTable::kMaxSlots) {
     edge_links_.resize(
         std::max(edge_links_.size(), SquareTable::kMaxSlots * SquareTable::kMaxSlots));

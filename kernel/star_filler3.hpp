@@ -17,7 +17,7 @@ namespace wellspaced {
 class StarFiller3 {
  public:
   /// Makes room for vertices below `count`.
-  void reserve_vertices(std::size_t count) { slot_of_vertex_.resize(count + 1); }
+  void reserve_vertices(std::size_t count) { number_of_vertex_.resize(count + 1); }
 
   /// Replaces the tets of `cavity` by those that join `apex` to its rim. A new tet has the
   /// vertices of the tet inside, with the apex in place of the corner off the facet. Afterwards
@@ -30,13 +30,15 @@ class StarFiller3 {
  private:
   using RimFacet = Triangulation3::RimFacet;
 
-  Index number_rim_vertices(std::span<const RimFacet> rim);
+  void number_rim_vertices(std::span<const RimFacet> rim);
   template <class Table>
   void join(Triangulation3& topology, const Triangulation3::Cavity& cavity, Table table);
   static void remove_tets(Triangulation3& topology, std::vector<Index>& list, std::size_t first);
 
-  std::vector<Index> slot_of_vertex_;  // by vertex + 1, so that the ghost comes first
-  std::vector<Index> vertex_in_slot_;
+  // Every fill numbers its vertices on from where the one before ended, so that what earlier ones
+  // left is told by being lower.
+  std::vector<Index> number_of_vertex_;  // by vertex + 1, so that the ghost comes first
+  Index next_number_ = 1;
   std::vector<std::array<Index, 3>> rim_slots_;  // of the three vertices of each rim facet
   std::vector<std::uint64_t> edge_keys_;
   std::vector<std::uint32_t> edge_links_;
