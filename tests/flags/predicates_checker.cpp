@@ -46,9 +46,9 @@ bool check(int lines, std::uint64_t expected_hash) {
 int main(int argc, char** argv) {
   using namespace wellspaced::testing;
   const int lines = argc > 1 ? std::atoi(argv[1]) : 10000;
-  bool ok = check<Orient2dCase>(lines, 0x9811af07f3512909u);
-  ok = check<IncircleCase>(lines, 0x588f5c6b61e3dc9eu) && ok;
-  ok = check<Orient3dCase>(lines, 0x667bb890330dfa08u) && ok;
-  ok = check<InsphereCase>(lines, 0x54dc3c6a932c597fu) && ok;
+  bool ok = check<Orient2dCase>(lines, 0x332bc2baa3ecddc6u);
+  ok = check<IncircleCase>(lines, 0x8a849cf69b938814u) && ok;
+  ok = check<Orient3dCase>(lines, 0xee2e03f27d192ceeu) && ok;
+  ok = check<InsphereCase>(lines, 0xdde2cee52d4523cdu) && ok;
   return ok ? 0 : 1;
 }

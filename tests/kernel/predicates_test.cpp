@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -206,6 +207,26 @@ TEST(Orient3d, IsPositiveBelowACounterClockwiseTriangle) {
   EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}), 1);
   EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), -1);
   EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 7, 0}), 0);
+}
+
+// Differences that round down and up, and products that underflow to either side of what they are:
+// left of the line the filter's two products would have one sign, the exact ones the other.
+TEST(Orient2d, IsExactWhereUnderflowReversesTheOrderOfTheProducts) {
+  // x y is just above (sign 1) or below 1.5, by less than the differences lose.
+  const auto factors = [](Random& random, double sign) {
+    for (;;) {
+      const double x = random.uniform(1, 1.5), y = 1.5 / x;
+      const double excess = std::fma(x, y, -1.5) * sign;
+      if (excess > 0 && excess < 0x1p-55) return std::array{x, y};
+    }
+  };
+  Random random(10);
+  for (int i = 0; i < 20; ++i) {
+    const auto [x, y] = factors(random, 1);
+    const auto [v, w] = factors(random, -1);
+    const double s = 0x1p-537, loss = 0x1p-54;
+    expect_all_rungs_exact<Orient2dCase>({x * s, -v * s, -w * s, y * s, loss * s, loss * s});
+  }
 }
 
 // Here the filter's determinant overflows to the wrong infinity while its bound stays finite.

@@ -73,7 +73,9 @@ struct Orient2dCase : PredicateCase<2, 3, exact::Orient2d> {
     return f(point2(&x[0]), point2(&x[2]), point2(&x[4]));
   }
   static int filter(const Coordinates& x) { return apply(predicate_filter::orient2d, x); }
-  static int sign(const Coordinates& x) { return orient2d(point2(&x[0]), point2(&x[2]), point2(&x[4])); }
+  static int sign(const Coordinates& x) {
+    return orient2d(point2(&x[0]), point2(&x[2]), point2(&x[4]));
+  }
 };
 
 struct IncircleCase : PredicateCase<2, 4, exact::Incircle> {
@@ -127,8 +129,10 @@ enum class Family {
   kSpread,          ///< degenerate, one coordinate moved by a far smaller power of two
   kMixedExponents,  ///< every coordinate at a scale of its own, some 0
   kDuplicates,      ///< uniform, with equal points
+  kTangent,         ///< rounded from a circle or sphere through the last point, the others at
+                    ///< distances from it that span hundreds of powers of two
 };
-inline constexpr int kFamilies = 8;
+inline constexpr int kFamilies = 9;
 
 template <class Case>
 class LineGenerator {
@@ -154,6 +158,8 @@ class LineGenerator {
         return mixed();
       case Family::kDuplicates:
         return duplicates();
+      case Family::kTangent:
+        return tangent();
     }
     return {};
   }
@@ -271,6 +277,30 @@ class LineGenerator {
     const std::size_t from = random_.below(Case::kPoints) * kDimension;
     const std::size_t to = random_.below(Case::kPoints) * kDimension;
     for (std::size_t k = 0; k < kDimension; ++k) x[to + k] = x[from + k];
+    return x;
+  }
+
+  // q / |q|^2 is on a circle or sphere through 0 for all q on a line or plane off 0.
+  Coordinates tangent() {
+    Coordinates x{};
+    const int exponent = static_cast<int>(random_.below(160));
+    for (std::size_t i = 0; i + kDimension < x.size(); i += kDimension) {
+      // Near points are so near that the product of two squared distances underflows.
+      int spread = static_cast<int>(random_.below(8));
+      if (random_.below(2) != 0) spread = exponent + 275 + static_cast<int>(random_.below(60));
+      for (std::size_t k = 0; k + 1 < kDimension; ++k) {
+        x[i + k] = std::ldexp(static_cast<double>(integer(53)), spread - 53);
+      }
+      x[i + kDimension - 1] = 1;
+      volatile double length_sq = 0;  // not contracted, so the same everywhere
+      for (std::size_t k = 0; k < kDimension; ++k) {
+        const volatile double square = x[i + k] * x[i + k];
+        length_sq = length_sq + square;
+      }
+      for (std::size_t k = 0; k < kDimension; ++k) {
+        x[i + k] = std::ldexp(x[i + k] / length_sq, exponent);
+      }
+    }
     return x;
   }
 
