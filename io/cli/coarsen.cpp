@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/hierarchy_files.hpp"
 #include "wellspaced/io/report/level_table.hpp"
+#include "wellspaced/io/report/report.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 
 namespace wellspaced::cli {
@@ -288,6 +290,34 @@ void print_tables(std::span<const Run> runs, Session& session) {
   session.print(level_tables(tables));
 }
 
+ReportMethod report_method(const Run& run) {
+  ReportMethod method{std::string(method_name(run.options.method)), {}, {}};
+  if (run.options.method == CoarseningMethod::kFunction)
+    method.parameters = {{"spacing constant β", shortest(run.options.beta)},
+                         {"growth factor C", shortest(run.options.factor)}};
+  method.parameters.emplace_back("edge protection R", shortest(protection_ratio(run.options)));
+  method.parameters.emplace_back("seed", std::to_string(run.options.seed));
+  for (std::size_t k = 0; k < run.hierarchy.levels.size(); ++k) {
+    const Level& level = run.hierarchy.levels[k];
+    method.levels.push_back({&level.mesh, level.origin, run.statistics[k]});
+  }
+  return method;
+}
+
+Status write_report(const std::string& path, const std::string& input, std::span<const Run> runs,
+                    Session& session) {
+  const std::string name = std::filesystem::path(display_name(input)).filename().string();
+  const LevelStatistics& finest = runs[0].statistics[0];
+  Report report{.title = "Coarsening of " + name,
+                .parameters = {{"file", name},
+                               {"nodes", std::to_string(finest.nodes)},
+                               {"triangles", std::to_string(finest.triangles)},
+                               {"boundary edges", std::to_string(finest.boundary_edges)}},
+                .methods = {}};
+  for (const Run& run : runs) report.methods.push_back(report_method(run));
+  return session.outputs().add(path, [&](TextWriter& out) { out << report_html(report); });
+}
+
 Result<int> run(Arguments& arguments, Session& session) {
   Request request = read_request(arguments, session.options().seed);
   if (Status status = arguments.status(); !status)
@@ -312,6 +342,9 @@ Result<int> run(Arguments& arguments, Session& session) {
   print_tables(runs, session);
   if (Status status = write_files(runs, geometry->index_base, session); !status)
     return status.error();
+  if (const auto path = arguments.value("--report"))
+    if (Status status = write_report(*path, arguments.operands()[0], runs, session); !status)
+      return status.error();
   if (Status status = write_summary(runs, session); !status) return status.error();
   const bool complete =
       std::ranges::all_of(runs, [](const Run& r) { return r.hierarchy.complete; });
@@ -332,6 +365,7 @@ constexpr std::array kOptions = {
     Option{"--fixed", "FILE", "0-based numbers of the nodes to keep in all levels"},
     Option{"--levels", "K", "at most K levels beside the input"},
     Option{"--until", "NODES", "no further level once one has at most NODES nodes"},
+    Option{"--report", "FILE.html", "pictures, charts and tables of the levels as one web page"},
     Option{"--stats", "none|basic|full", "what to measure (default basic: counts and angles)"},
 };
 
