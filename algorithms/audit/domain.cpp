@@ -7,6 +7,7 @@
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/algorithms/audit/exact_tests.hpp"
+#include "wellspaced/algorithms/audit/stars.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
@@ -39,25 +40,6 @@ class NodesByPlace {
   std::vector<Index> nodes_;
 };
 
-// The half-edges that leave each node.
-class Stars {
- public:
-  Stars(const TriangleMesh& mesh, const HalfEdges& half_edges)
-      : first_(mesh.points.size() + 1, 0), leaving_(half_edges.twin.size()) {
-    for (Index h = 0; h < leaving_.size(); ++h) ++first_[origin(mesh.triangles, h)];
-    Index sum = 0;
-    for (Index& first : first_) first = sum += first;
-    for (Index h = 0; h < leaving_.size(); ++h) leaving_[--first_[origin(mesh.triangles, h)]] = h;
-  }
-
-  std::span<const Index> leaving(Index v) const {
-    return {leaving_.data() + first_[v], leaving_.data() + first_[v + 1]};
-  }
-
- private:
-  std::vector<Index> first_, leaving_;
-};
-
 double moved(double x, double towards) {
   return std::nextafter(std::nextafter(x, towards), towards);
 }
@@ -80,7 +62,7 @@ class ChainWalk {
       : mesh_(mesh),
         half_edges_(half_edges),
         by_place_(mesh.points),
-        stars_(mesh, half_edges),
+        stars_(mesh.triangles, mesh.points.size()),
         on_domain_(half_edges.twin.size(), 0),
         off_line_(mesh.points.size(), 0) {}
 
@@ -107,13 +89,7 @@ class ChainWalk {
   // Calls visit(neighbour, half-edge between, in either direction) for the nodes at `place`.
   template <class Visit>
   void for_each_neighbour(Point2 place, Visit visit) const {
-    for (const Index v : by_place_.at(place)) {
-      for (const Index h : stars_.leaving(v)) {
-        visit(target(mesh_.triangles, h), h);
-        const Index arriving = HalfEdges::previous(h);
-        visit(origin(mesh_.triangles, arriving), arriving);
-      }
-    }
+    for (const Index v : by_place_.at(place)) stars_.for_each_neighbour(v, visit);
   }
 
   // The nearest neighbour of the nodes at `at` that lies on the segment a, b further on.

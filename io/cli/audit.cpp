@@ -1,17 +1,20 @@
 // wellspaced audit: the verdict on a mesh, whoever made it.
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "wellspaced/algorithms/audit/embedding.hpp"
+#include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/audit/requirement.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/io/formats/hierarchy_input.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/formats/vtk.hpp"
 #include "wellspaced/io/report/audit_report.hpp"
@@ -137,6 +140,36 @@ Result<audit::Report> audit_file(const std::string& path, const Demands& demands
   return report;
 }
 
+bool is_directory(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+// Only levels selected by a function are spaced by it.
+audit::HierarchyAuditOptions options_for(const HierarchyInput& input, const Demands& demands) {
+  audit::HierarchyAuditOptions options;
+  if (input.method != "mis") options.beta = input.beta;
+  if (input.scheme == "from-finest" || input.scheme == "coarse-to-fine")
+    options.selected_from = audit::SelectedFrom::kFinest;
+  options.fixed = input.fixed;
+  if (demands.domain) options.domain = &*demands.domain;
+  return options;
+}
+
+Result<audit::Report> audit_directory(const std::string& path, const Demands& demands,
+                                      Session& session) {
+  if (!demands.vtu.empty())
+    return Error{ErrorCode::kUsage, "audit: --vtu takes a mesh; name a level of the hierarchy", {}};
+  const auto input = read_hierarchy(path);
+  if (!input && input.error().code == ErrorCode::kInvalidGeometry)
+    return report_on(input.error(), session);
+  if (!input) return input.error();
+  for (const std::string& note : input->notes) session.note(note);
+  audit::Report report = audit::audit_hierarchy(input->levels, options_for(*input, demands));
+  if (Status status = apply(demands, nullptr, report); !status) return status.error();
+  return report;
+}
+
 bool all_pass(const std::vector<audit::Report>& reports) {
   for (const audit::Report& report : reports)
     if (!report.pass()) return false;
@@ -169,7 +202,8 @@ Result<int> run(Arguments& arguments, Session& session) {
     return Error{ErrorCode::kUsage, "audit: --vtu takes one input", {}};
   std::vector<audit::Report> reports;
   for (const std::string& path : paths) {
-    auto report = audit_file(path, *demands, session);
+    auto report = is_directory(path) ? audit_directory(path, *demands, session)
+                                     : audit_file(path, *demands, session);
     if (!report) return report.error();
     session.print((paths.size() > 1 ? path + "\n" : "") + audit_table(*report));
     reports.push_back(std::move(*report));

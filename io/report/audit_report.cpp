@@ -120,6 +120,40 @@ std::string check_line(const Check& check) {
   return line + (check.pass() ? "pass" : failure(check)) + "\n";
 }
 
+// The columns of the table of levels: titles and measures.
+constexpr std::pair<std::string_view, std::string_view> kColumns[] = {
+    {"nodes", "nodes"},
+    {"triangles", "triangles"},
+    {"min angle", "min_angle"},
+    {"area kept", "area_kept"},
+    {"hausdorff", "hausdorff"},
+    {"meets", "intersection_mean"},
+    {"at most", "intersection_max"},
+    {"similar", "similarity"}};
+
+std::string level_cell(const Report& report, Index level, std::string_view name) {
+  for (const Measure& measure : report.measures)
+    if (measure.level == level && measure.name == name) return rounded(measure.value);
+  return "-";
+}
+
+std::string aligned(std::string text) {
+  return text.size() < 12 ? std::string(12 - text.size(), ' ') + text : ' ' + text;
+}
+
+std::string level_table(const Report& report) {
+  const Index count = level_count(report);
+  if (count == 0) return "";
+  std::string text = "  level";
+  for (const auto& [title, name] : kColumns) text += aligned(std::string(title));
+  for (Index level = 0; level < count; ++level) {
+    std::string number = std::to_string(level);
+    text += "\n  " + std::string(5 - std::min<std::size_t>(5, number.size()), ' ') + number;
+    for (const auto& [title, name] : kColumns) text += aligned(level_cell(report, level, name));
+  }
+  return text + "\n";
+}
+
 void mark(std::vector<std::int32_t>& field, const std::vector<Index>& ids) {
   for (const Index id : ids)
     if (id < field.size()) field[id] = 1;
@@ -149,11 +183,11 @@ void append_audit_json(JsonWriter& json, const Report& report) {
 
 std::string audit_table(const Report& report) {
   std::string text = std::string("verdict: ") + (report.pass() ? "pass" : "FAIL") + "\n";
-  for (const Check& check : report.checks) text += check_line(check);
+  for (const Check& check : report.checks)
+    if (!check.level || !check.pass()) text += check_line(check);
   for (const Measure& measure : report.measures)
-    text += "  " + padded(level_prefix(measure.level) + measure.name, 34) + rounded(measure.value) +
-            "\n";
-  return text;
+    if (!measure.level) text += "  " + padded(measure.name, 34) + rounded(measure.value) + "\n";
+  return text + level_table(report);
 }
 
 void mark_offenders(const Report& report, VtkGrid& grid) {

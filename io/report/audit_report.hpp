@@ -14,7 +14,8 @@ namespace wellspaced {
 /// as its item takes. Measures of the levels of a hierarchy stand in "levels", level by level.
 void append_audit_json(JsonWriter& json, const audit::Report& report);
 
-/// A table for people: the verdict, the checks, the measures.
+/// A table for people: the verdict, the checks, the measures. Of the levels of a hierarchy it shows
+/// the checks that fail, and a line of measures each.
 std::string audit_table(const audit::Report& report);
 
 /// Adds to a grid, for each check that fails, a field named as the check, 1 at the offenders:

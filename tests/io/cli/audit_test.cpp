@@ -135,6 +135,35 @@ TEST(AuditCommand, ReportsWhatItCannotRead) {
   EXPECT_EQ(run_program({"audit", square.name}).exit_code, 3);
 }
 
+TEST(AuditCommand, JudgesADirectoryOfLevels) {
+  const TemporaryDirectory directory;
+  const std::string mesh = directory / "annulus", levels = directory / "levels";
+  ASSERT_EQ(run_program({"generate", "annulus", "--nodes", "600", "-o", mesh}).exit_code, 0);
+  ASSERT_EQ(run_program({"coarsen", mesh, "-o", levels}).exit_code, 0);
+  const auto run = run_program({"audit", levels, "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  for (const char* part : {"{\"name\":\"node_nested\",\"required\":true,\"pass\":true",
+                           "{\"name\":\"graph_spacing\",\"level\":1,", "\"levels\":[{\"level\":0,",
+                           "\"hausdorff_to_finest\":"})
+    EXPECT_TRUE(contains(run.out, part)) << part;
+  EXPECT_TRUE(contains(run_program({"audit", levels}).out, "area kept"));
+  EXPECT_EQ(run_program({"audit", levels, "--require", "min_angle>=59"}).exit_code, 1);
+
+  // A node of level 1 moves: it is no longer nested.
+  std::string nodes = test::read_bytes(levels + "/level_1.node");
+  const auto line = nodes.find('\n') + 1;
+  nodes.insert(nodes.find(' ', line) + 1, "1e-9");
+  directory.write("levels/level_1.node", nodes);
+  const auto broken = run_program({"audit", levels, "--json", "-"});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_TRUE(contains(broken.out, "{\"name\":\"node_nested\",\"required\":true,\"pass\":false"));
+}
+
+TEST(AuditCommand, ReportsADirectoryWithoutLevels) {
+  const TemporaryDirectory directory;
+  EXPECT_EQ(run_program({"audit", directory / "."}).exit_code, 3);
+}
+
 TEST(AuditCommand, StatesTheFactsOfTheRealMeshes) {
   WELLSPACED_REQUIRE_DATA("thesis/crack_merged.node");
   const std::string mesh = test::data_path("thesis/crack_merged.node");

@@ -1,0 +1,298 @@
+#include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "wellspaced/algorithms/audit/boundary_distance.hpp"
+#include "wellspaced/algorithms/audit/half_edges.hpp"
+#include "wellspaced/algorithms/audit/intersection.hpp"
+#include "wellspaced/algorithms/audit/level_spacing.hpp"
+#include "wellspaced/algorithms/audit/mesh_audit.hpp"
+
+namespace wellspaced::audit {
+namespace {
+
+bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
+// ---- How the nodes of the levels hang together
+
+// For each node of `coarse` a node of `finest` at the same place, kNoIndex if there is none. Where
+// several lie there, as across a slit, each is taken once, in order.
+std::vector<Index> match_by_place(const TriangleMesh& coarse, const TriangleMesh& finest) {
+  const auto sorted = [](const TriangleMesh& mesh) {
+    std::vector<Index> nodes(mesh.points.size());
+    std::iota(nodes.begin(), nodes.end(), Index{0});
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [&](Index v, Index w) { return before(mesh.points[v], mesh.points[w]); });
+    return nodes;
+  };
+  std::vector<Index> match(coarse.points.size(), kNoIndex);
+  const std::vector<Index> candidates = sorted(finest);
+  std::size_t next = 0;
+  for (const Index v : sorted(coarse)) {
+    const Point2 p = coarse.points[v];
+    while (next < candidates.size() && before(finest.points[candidates[next]], p)) ++next;
+    if (next < candidates.size() && finest.points[candidates[next]] == p)
+      match[v] = candidates[next++];
+  }
+  return match;
+}
+
+// The nodes of a level, as nodes of the finest mesh: as given or by place. Where that makes no
+// sense, kNoIndex.
+std::vector<Index> origins_of(const HierarchyLevel& level, const TriangleMesh& finest) {
+  if (level.origin.empty()) return match_by_place(level.mesh, finest);
+  std::vector<Index> origins(level.mesh.points.size(), kNoIndex);
+  for (std::size_t v = 0; v < std::min(origins.size(), level.origin.size()); ++v) {
+    const Index origin = level.origin[v];
+    if (origin < finest.points.size() && finest.points[origin] == level.mesh.points[v])
+      origins[v] = origin;
+  }
+  return origins;
+}
+
+// ---- One level against the one before
+
+struct Judged {
+  const HierarchyLevel& level;
+  Report report;
+  std::vector<Index> origins;  // of the level's nodes, in the finest mesh
+  std::vector<Index> numbers;  // for each node of the finest mesh its number in this level
+  std::vector<Index> parents;  // of the level's nodes, in the level before
+
+  const TriangleMesh& mesh() const { return level.mesh; }
+  double measured(std::string_view name) const {
+    const Measure* measure = report.measure(name);
+    return measure == nullptr ? 0 : measure->value;
+  }
+  bool passes(std::string_view name) const {
+    const Check* check = report.check(name);
+    return check != nullptr && check->pass();
+  }
+  bool is_embedded() const {
+    return passes("no_inverted") && passes("no_flat") && passes("no_overlap");
+  }
+};
+
+std::vector<Index> inverse(const std::vector<Index>& origins, std::size_t finest_nodes) {
+  std::vector<Index> numbers(finest_nodes, kNoIndex);
+  for (Index v = 0; v < origins.size(); ++v)
+    if (origins[v] != kNoIndex) numbers[origins[v]] = v;
+  return numbers;
+}
+
+std::vector<Index> parents_of(const std::vector<Index>& origins, const Judged& finer) {
+  std::vector<Index> parents;
+  for (const Index origin : origins)
+    parents.push_back(origin == kNoIndex ? kNoIndex : finer.numbers[origin]);
+  return parents;
+}
+
+void audit_nesting(Judged& coarse) {
+  Check& check = coarse.report.add_check("node_nested", Item::kNode, true);
+  for (Index v = 0; v < coarse.parents.size(); ++v) {
+    const bool unique = coarse.origins[v] == kNoIndex || coarse.numbers[coarse.origins[v]] == v;
+    if (coarse.parents[v] == kNoIndex || !unique) check.violate({v});
+  }
+}
+
+void audit_size(Judged& coarse, const Judged& finer) {
+  const auto nodes = static_cast<double>(coarse.mesh().points.size());
+  const auto finer_nodes = static_cast<double>(finer.mesh().points.size());
+  Check& check = coarse.report.add_check("fewer_nodes", Item::kNone, false);
+  if (nodes >= finer_nodes) check.violate({});
+  coarse.report.add_measure("size_ratio", nodes > 0 ? finer_nodes / nodes : 0);
+}
+
+std::vector<std::uint8_t> boundary_flags(const TriangleMesh& mesh) {
+  const auto nodes = static_cast<Index>(mesh.points.size());
+  const HalfEdges half_edges = pair_half_edges(mesh.triangles, mesh.segments, nodes);
+  std::vector<std::uint8_t> flags(nodes, 0);
+  for (Index h = 0; h < half_edges.twin.size(); ++h)
+    if (half_edges.twin[h] == kNoIndex || half_edges.constrained[h] != 0)
+      flags[origin(mesh.triangles, h)] = flags[target(mesh.triangles, h)] = 1;
+  for (const Segment& s : mesh.segments) flags[s.a] = flags[s.b] = 1;
+  return flags;
+}
+
+std::set<int> markers_of(const TriangleMesh& mesh) {
+  std::set<int> markers;
+  for (const Segment& s : mesh.segments) markers.insert(s.marker);
+  return markers;
+}
+
+void audit_boundary(Judged& coarse, const Judged& finer, const Judged& finest) {
+  Report& report = coarse.report;
+  Check& nested = report.add_check("boundary_nested", Item::kNode, false);
+  const auto flags = boundary_flags(coarse.mesh()), finer_flags = boundary_flags(finer.mesh());
+  for (Index v = 0; v < flags.size(); ++v) {
+    const Index parent = coarse.parents[v];
+    if (flags[v] != 0 && parent != kNoIndex && finer_flags[parent] == 0) nested.violate({v});
+  }
+  Check& holes = report.add_check("holes_kept", Item::kNone, false);
+  for (const char* name : {"boundary_loops", "components"})
+    holes.violations +=
+        static_cast<std::uint64_t>(std::fabs(coarse.measured(name) - finer.measured(name)));
+  Check& markers = report.add_check("markers_kept", Item::kNone, false);
+  const auto alive = markers_of(coarse.mesh());
+  for (const int marker : markers_of(finer.mesh())) markers.violations += alive.count(marker) == 0;
+  const auto lines = boundary_lines(coarse.mesh());
+  report.add_measure("area_kept", coarse.measured("area") / finest.measured("area"));
+  report.add_measure("perimeter_kept", coarse.measured("perimeter") / finest.measured("perimeter"));
+  report.add_measure("hausdorff", hausdorff_distance(lines, boundary_lines(finer.mesh())));
+  report.add_measure("hausdorff_to_finest",
+                     hausdorff_distance(lines, boundary_lines(finest.mesh())));
+}
+
+void audit_fixed(Judged& coarse, std::span<const Index> fixed) {
+  if (fixed.empty()) return;
+  Check& check = coarse.report.add_check("fixed_nodes_kept", Item::kNode, false);
+  for (const Index v : fixed)
+    if (v >= coarse.numbers.size() || coarse.numbers[v] == kNoIndex) check.violate({v});
+}
+
+void audit_intersections(Judged& coarse, const Judged& finer) {
+  if (!coarse.is_embedded() || !finer.is_embedded()) return;
+  const Intersections found = count_intersections(finer.mesh(), coarse.mesh(), coarse.parents);
+  coarse.report.add_measure("intersection_mean", found.mean_per_coarse());
+  coarse.report.add_measure("intersection_max", found.max_per_coarse());
+  coarse.report.add_measure("intersection_max_finer", found.max_per_fine());
+  coarse.report.add_measure("similarity", found.similarity);
+}
+
+// The two checks list pairs of nodes of the level.
+void add_pairs(Check& check, const std::vector<std::array<Index, 2>>& pairs,
+               std::span<const Index> nodes) {
+  for (const auto& [i, j] : pairs) check.violate({nodes[i], nodes[j]});
+}
+
+bool has_spacing(const Judged& coarse, const HierarchyAuditOptions& options) {
+  const auto& spacing = coarse.level.spacing;
+  return options.beta > 0 && spacing.size() == coarse.mesh().points.size() &&
+         std::all_of(spacing.begin(), spacing.end(),
+                     [](double f) { return f > 0 && std::isfinite(f); });
+}
+
+void audit_spacing(Judged& coarse, const Judged& selected_from,
+                   const HierarchyAuditOptions& options) {
+  if (!has_spacing(coarse, options)) return;
+  std::set<Index> fixed(options.fixed.begin(), options.fixed.end());
+  std::vector<Index> nodes, level_nodes;
+  std::vector<double> spacing;
+  std::vector<std::uint8_t> exempt;
+  for (Index v = 0; v < coarse.origins.size(); ++v) {
+    if (coarse.origins[v] == kNoIndex) continue;
+    const Index node = selected_from.numbers[coarse.origins[v]];
+    if (node == kNoIndex) continue;
+    nodes.push_back(node);
+    level_nodes.push_back(v);
+    spacing.push_back(coarse.level.spacing[v]);
+    exempt.push_back(fixed.count(coarse.origins[v]) > 0);
+  }
+  Check& graph = coarse.report.add_check("graph_spacing", Item::kEdge, false);
+  graph.value = options.beta;
+  add_pairs(graph,
+            graph_spacing_violations(selected_from.mesh(), {nodes, spacing, options.beta, exempt}),
+            level_nodes);
+  Check& euclidean = coarse.report.add_check("euclidean_spacing", Item::kEdge, false);
+  euclidean.value = options.beta;
+  for (const auto& [v, w] :
+       euclidean_spacing_violations(coarse.mesh(), coarse.level.spacing, options.beta))
+    euclidean.violate({v, w});
+}
+
+// ---- The whole
+
+// Whether the syntax was right, so that all else was judged.
+bool is_readable(const Report& report) { return report.check("no_overlap") != nullptr; }
+
+Judged judge_alone(const HierarchyLevel& level, const Pslg* domain) {
+  MeshAuditOptions options;
+  options.domain = domain;
+  return {level, audit_mesh(level.mesh, options), {}, {}, {}};
+}
+
+void find_origins(Judged& level, const Judged& finest) {
+  level.origins.assign(level.mesh().points.size(), kNoIndex);
+  if (is_readable(level.report) && is_readable(finest.report))
+    level.origins = origins_of(level.level, finest.mesh());
+  level.numbers = inverse(level.origins, finest.mesh().points.size());
+}
+
+void require(Report& report, std::string_view name) {
+  for (Check& check : report.checks)
+    if (check.name == name) check.required = true;
+}
+
+void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
+                   const HierarchyAuditOptions& options) {
+  coarse.parents = parents_of(coarse.origins, finer);
+  require(coarse.report, "constrained_delaunay");
+  if (finest.passes("boundary_has_segments")) require(coarse.report, "boundary_has_segments");
+  audit_nesting(coarse);
+  audit_size(coarse, finer);
+  audit_fixed(coarse, options.fixed);
+  if (!is_readable(coarse.report) || !is_readable(finer.report)) return;
+  audit_boundary(coarse, finer, finest);
+  audit_intersections(coarse, finer);
+  const bool from_finest = options.selected_from == SelectedFrom::kFinest;
+  audit_spacing(coarse, from_finest ? finest : finer, options);
+}
+
+// A check without a level that counts the levels' violations of one name, or of all required ones.
+void sum_up(Report& report, std::string_view name, std::span<const Judged> levels,
+            std::string_view of) {
+  Check& check = report.add_check(name, Item::kNone, true);
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    for (const Check& part : levels[k].report.checks)
+      if (of.empty() ? part.required : part.name == of && part.required)
+        check.violations += part.violations;
+}
+
+void measure_worst(Report& report, std::string_view name, std::span<const Judged> levels) {
+  double worst = -1;
+  for (const Judged& level : levels)
+    if (const Measure* measure = level.report.measure(name))
+      worst = std::max(worst, measure->value);
+  if (worst >= 0) report.add_measure(name, worst);
+}
+
+// Moves the findings on a level to the end of the report.
+void append_level(Report& report, Report&& level, Index number) {
+  for (Check& check : level.checks) {
+    check.level = number;
+    report.checks.push_back(std::move(check));
+  }
+  for (Measure& measure : level.measures) {
+    measure.level = number;
+    report.measures.push_back(std::move(measure));
+  }
+}
+
+}  // namespace
+
+Report audit_hierarchy(std::span<const HierarchyLevel> levels,
+                       const HierarchyAuditOptions& options) {
+  std::vector<Judged> judged;
+  for (const HierarchyLevel& level : levels)
+    judged.push_back(judge_alone(level, judged.empty() ? options.domain : nullptr));
+  for (Judged& level : judged) find_origins(level, judged[0]);
+  for (std::size_t k = 1; k < judged.size(); ++k)
+    judge_against(judged[k], judged[k - 1], judged[0], options);
+  Report report;
+  sum_up(report, "levels_valid", judged, "");
+  sum_up(report, "levels_constrained_delaunay", judged, "constrained_delaunay");
+  sum_up(report, "node_nested", judged, "node_nested");
+  report.add_measure("levels", static_cast<double>(levels.size()));
+  measure_worst(report, "similarity", judged);
+  measure_worst(report, "intersection_max", judged);
+  for (Index k = 0; k < judged.size(); ++k) append_level(report, std::move(judged[k].report), k);
+  return report;
+}
+
+}  // namespace wellspaced::audit

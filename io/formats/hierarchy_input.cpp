@@ -1,0 +1,106 @@
+#include "wellspaced/io/formats/hierarchy_input.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/io/json/json_reader.hpp"
+#include "wellspaced/io/text/scanner.hpp"
+
+namespace wellspaced {
+namespace {
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
+// The first file `stem`.extension that exists; empty if there is none.
+std::string find_file(const std::string& stem) {
+  for (const Format& format : formats()) {
+    if (format.parse == nullptr) continue;
+    std::istringstream extensions{std::string(format.extensions)};
+    for (std::string extension; extensions >> extension;)
+      if (exists(stem + extension)) return stem + extension;
+  }
+  return {};
+}
+
+// One number a line, `count` of them; empty if there is no such file.
+Result<std::vector<double>> read_column(const std::string& path, std::size_t count) {
+  std::vector<double> values;
+  if (!exists(path)) return values;
+  const auto text = read_input(path);
+  if (!text) return text.error();
+  Scanner scanner(*text, path);
+  while (scanner.next_line() && values.size() <= count) values.push_back(scanner.number("a value"));
+  if (!scanner.ok()) return scanner.error();
+  if (values.size() != count)
+    return Error{ErrorCode::kUnreadable,
+                 path + ": holds not one value for each of the " + std::to_string(count) + " nodes",
+                 {}};
+  return values;
+}
+
+Index to_index(double value) {
+  return value >= 0 && value < kNoIndex && value == std::floor(value) ? static_cast<Index>(value)
+                                                                      : kNoIndex;
+}
+
+Result<audit::HierarchyLevel> read_level(const std::string& stem, const std::string& file,
+                                         std::vector<std::string>& notes) {
+  auto geometry = read_geometry(file);
+  if (!geometry) return geometry.error();
+  std::move(geometry->notes.begin(), geometry->notes.end(), std::back_inserter(notes));
+  if (geometry->dimension != 2 || !geometry->has_cells())
+    return Error{ErrorCode::kUnreadable, file + ": holds no triangles", {}};
+  audit::HierarchyLevel level;
+  level.mesh = std::move(geometry->mesh);
+  const auto origin = read_column(stem + ".origin", level.mesh.points.size());
+  if (!origin) return origin.error();
+  for (const double value : *origin) level.origin.push_back(to_index(value));
+  auto spacing = read_column(stem + ".spacing", level.mesh.points.size());
+  if (!spacing) return spacing.error();
+  level.spacing = std::move(*spacing);
+  return level;
+}
+
+Status read_manifest(const std::string& path, HierarchyInput& input) {
+  if (!exists(path)) return Ok{};
+  const auto text = read_input(path);
+  if (!text) return text.error();
+  const auto json = parse_json(*text, path);
+  if (!json) return json.error();
+  if (const JsonValue* beta = json->find("beta")) input.beta = beta->number;
+  if (const JsonValue* method = json->find("method")) input.method = method->text;
+  if (const JsonValue* scheme = json->find("scheme")) input.scheme = scheme->text;
+  if (const JsonValue* fixed = json->find("fixed"))
+    for (const JsonValue& node : fixed->items) input.fixed.push_back(to_index(node.number));
+  return Ok{};
+}
+
+}  // namespace
+
+Result<HierarchyInput> read_hierarchy(const std::string& directory) {
+  HierarchyInput input;
+  for (std::size_t k = 0;; ++k) {
+    const std::string stem = directory + "/level_" + std::to_string(k);
+    const std::string file = find_file(stem);
+    if (file.empty()) break;
+    auto level = read_level(stem, file, input.notes);
+    if (!level) return level.error();
+    input.levels.push_back(std::move(*level));
+  }
+  if (input.levels.empty())
+    return Error{ErrorCode::kUnreadable, directory + ": there is no mesh level_0 in it", {}};
+  if (Status status = read_manifest(directory + "/hierarchy.json", input); !status)
+    return status.error();
+  return input;
+}
+
+}  // namespace wellspaced

@@ -1,0 +1,28 @@
+// Reading a directory of levels, as `coarsen -o` or another program has written it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
+#include "wellspaced/kernel/result.hpp"
+
+namespace wellspaced {
+
+/// levels: from level 0 on. notes: what a user should know: one line each.
+/// beta, scheme, fixed: from hierarchy.json; 0 and empty where it does not tell.
+struct HierarchyInput {
+  std::vector<audit::HierarchyLevel> levels;
+  std::vector<std::string> notes;
+  double beta = 0;
+  std::string method, scheme;
+  std::vector<Index> fixed;
+};
+
+/// Reads level_0, level_1, ... as far as they exist, each in any format that holds triangle meshes,
+/// with level_K.origin and level_K.spacing, and hierarchy.json, where they exist.
+/// Errors: as read_geometry() and parse_json(); kUnreadable where there is no level_0, a level
+/// holds no triangles, or a column of numbers does not fit its mesh.
+Result<HierarchyInput> read_hierarchy(const std::string& directory);
+
+}  // namespace wellspaced

@@ -1,0 +1,285 @@
+// Plants faults in clean hierarchies: each must be found by exactly the checks that should.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "tests/support/audit_meshes.hpp"
+#include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
+#include "wellspaced/algorithms/coarsening/coarsen.hpp"
+#include "wellspaced/algorithms/generate/grid.hpp"
+#include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/random.hpp"
+
+namespace wellspaced {
+namespace {
+
+using Names = std::set<std::string>;
+
+struct Sequence {
+  std::string name;
+  std::vector<audit::HierarchyLevel> levels;
+  std::vector<Index> fixed;
+  double beta;
+};
+
+struct Fault {
+  std::string name;
+  std::function<bool(Sequence&, Random&)> plant;
+  Names must, may;
+};
+
+Sequence coarsened(const std::string& name, const TriangleMesh& mesh, double beta, double factor) {
+  CoarseningOptions options;
+  options.beta = beta;
+  options.factor = factor;
+  const Hierarchy hierarchy = coarsen(mesh, options).value();
+  Sequence sequence{name, {}, hierarchy.levels[0].mesh.fixed, beta};
+  for (const Level& level : hierarchy.levels)
+    sequence.levels.push_back({level.mesh, level.origin, level.spacing});
+  return sequence;
+}
+
+const std::vector<Sequence>& clean_sequences() {
+  static const std::vector<Sequence> sequences = [] {
+    std::vector<Sequence> all;
+    const auto grid = generate_grid({.nx = 40, .ny = 40}).value();
+    all.push_back(coarsened("grid", grid, 4, 2));
+    for (const auto& [name, mesh] : test::clean_meshes())
+      if (name == "random, larger" || name == "slit" || name == "thesis/airfoil1")
+        all.push_back(coarsened(name, mesh, 25, 8));
+    return all;
+  }();
+  return sequences;
+}
+
+audit::Report audit_of(const Sequence& sequence) {
+  audit::HierarchyAuditOptions options;
+  options.beta = sequence.beta;
+  options.fixed = sequence.fixed;
+  return audit::audit_hierarchy(sequence.levels, options);
+}
+
+Names failing(const audit::Report& report) {
+  Names names;
+  for (const auto& check : report.checks)
+    if (!check.pass()) names.insert(check.name);
+  return names;
+}
+
+// Consequences of another set of triangles or nodes on a level.
+const Names kShape = {"gabriel", "boundary_gabriel", "circumcentres_inside", "euclidean_spacing"};
+
+Names operator+(Names a, const Names& b) {
+  a.insert(b.begin(), b.end());
+  return a;
+}
+
+audit::HierarchyLevel& some_level(Sequence& sequence, Random& random) {
+  return sequence.levels[1 + random.below(sequence.levels.size() - 1)];
+}
+
+std::set<Index> boundary_nodes(const TriangleMesh& mesh) {
+  std::set<Index> nodes;
+  for (const Segment& s : mesh.segments) nodes.insert({s.a, s.b});
+  return nodes;
+}
+
+// A node by a unit in the last place aside, so that no triangle turns over.
+bool move_node(Sequence& sequence, Random& random) {
+  auto& level = some_level(sequence, random);
+  Point2& p = level.mesh.points[random.below(level.mesh.points.size())];
+  p.x = std::nextafter(p.x, 1e9);
+  return true;
+}
+
+bool swap_origins(Sequence& sequence, Random& random) {
+  auto& level = some_level(sequence, random);
+  const std::size_t n = level.origin.size();
+  const std::size_t i = random.below(n), j = random.below(n);
+  if (level.mesh.points[i] == level.mesh.points[j]) return false;
+  std::swap(level.origin[i], level.origin[j]);
+  return true;
+}
+
+// A node that the level before has not, though the finest has.
+bool skip_a_level(Sequence& sequence, Random&) {
+  if (sequence.levels.size() < 3) return false;
+  sequence.levels.insert(sequence.levels.begin() + 2, sequence.levels[0]);
+  return true;
+}
+
+bool flip_an_edge(Sequence& sequence, Random& random) {
+  TriangleMesh& mesh = some_level(sequence, random).mesh;
+  for (std::size_t tries = 0; tries < 2000; ++tries) {
+    auto& t = mesh.triangles[random.below(mesh.triangles.size())];
+    auto& u = mesh.triangles[random.below(mesh.triangles.size())];
+    const int i = static_cast<int>(random.below(3)), j = static_cast<int>(random.below(3));
+    const Index a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3], d = u[(j + 2) % 3];
+    if (u[j] != b || u[(j + 1) % 3] != a) continue;
+    const auto& p = mesh.points;
+    if (incircle(p[a], p[b], p[c], p[d]) == 0) continue;
+    if (orient2d(p[c], p[d], p[a]) * orient2d(p[c], p[d], p[b]) >= 0) continue;
+    t = {c, a, d};
+    u = {d, b, c};
+    return true;
+  }
+  return false;
+}
+
+// Gives all segments of a marker, or of all but one, that of another.
+bool lose_a_marker(Sequence& sequence, Random& random) {
+  auto& level = some_level(sequence, random);
+  if (level.mesh.segments.empty()) return false;
+  const int lost = level.mesh.segments[random.below(level.mesh.segments.size())].marker;
+  for (Segment& s : level.mesh.segments)
+    if (s.marker == lost) s.marker = 77;
+  return true;
+}
+
+bool fill_a_hole(Sequence& sequence, Random&) {
+  // The coarsest level's hole, if it is a triangle: its edges in the other direction.
+  TriangleMesh& mesh = sequence.levels.back().mesh;
+  std::set<std::array<Index, 2>> rim;
+  for (const auto& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) rim.insert({t[i], t[(i + 1) % 3]});
+  for (const auto& [a, b] : rim) {
+    if (rim.count({b, a}) > 0) continue;
+    for (const auto& [c, d] : rim) {
+      if (c != b || rim.count({d, c}) > 0 || rim.count({d, a}) == 0 || rim.count({a, d}) > 0)
+        continue;
+      mesh.triangles.push_back({b, a, d});
+      return true;
+    }
+  }
+  return false;
+}
+
+bool stretch_the_spacing(Sequence& sequence, Random& random) {
+  auto& level = some_level(sequence, random);
+  for (double& f : level.spacing) f *= 4;
+  return level.mesh.triangles.size() > 20;
+}
+
+bool lose_a_special_point(Sequence& sequence, Random& random) {
+  // A special point that never was: a node of the finest level alone.
+  const auto& last = sequence.levels.back().origin;
+  for (int tries = 0; tries < 100; ++tries) {
+    const Index v = static_cast<Index>(random.below(sequence.levels[0].mesh.points.size()));
+    if (std::find(last.begin(), last.end(), v) != last.end()) continue;
+    sequence.fixed.push_back(v);
+    return true;
+  }
+  return false;
+}
+
+bool repeat_a_level(Sequence& sequence, Random&) {
+  sequence.levels.push_back(sequence.levels.back());
+  sequence.levels.back().spacing.clear();
+  return true;
+}
+
+// A triangle on the rim goes, and an inner node becomes a boundary node.
+bool cut_a_notch(Sequence& sequence, Random& random) {
+  TriangleMesh& mesh = some_level(sequence, random).mesh;
+  const std::set<Index> outer = boundary_nodes(mesh);
+  std::set<std::array<Index, 2>> edges;
+  for (const auto& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) edges.insert({t[i], t[(i + 1) % 3]});
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const Index a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
+      const Index c = mesh.triangles[t][(i + 2) % 3];
+      if (edges.count({b, a}) > 0 || outer.count(c) > 0) continue;
+      std::erase_if(mesh.segments, [&](const Segment& s) {
+        return (s.a == a && s.b == b) || (s.a == b && s.b == a);
+      });
+      mesh.segments.push_back({b, c, 1});
+      mesh.segments.push_back({c, a, 1});
+      mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+      return true;
+    }
+  return false;
+}
+
+std::vector<Fault> faults() {
+  const Names sums = {"levels_valid", "levels_constrained_delaunay"};
+  return {
+      {"node moved by a unit in the last place",
+       move_node,
+       {"node_nested", "levels_valid"},
+       kShape + Names{"fixed_nodes_kept", "constrained_delaunay", "delaunay",
+                      "levels_constrained_delaunay", "graph_spacing", "no_hanging_node",
+                      "no_overlap"}},
+      {"origins swapped",
+       swap_origins,
+       {"node_nested", "levels_valid"},
+       kShape + Names{"fixed_nodes_kept", "boundary_nested"}},
+      {"finest level put in the middle",
+       skip_a_level,
+       {"node_nested", "fewer_nodes", "levels_valid"},
+       kShape + Names{"graph_spacing", "boundary_nested"}},
+      {"edge flipped on a level",
+       flip_an_edge,
+       {"constrained_delaunay", "delaunay", "levels_constrained_delaunay", "levels_valid"},
+       kShape + Names{"graph_spacing"}},
+      {"marker lost", lose_a_marker, {"markers_kept"}, {}},
+      {"hole filled",
+       fill_a_hole,
+       {"holes_kept"},
+       kShape + sums + Names{"delaunay", "constrained_delaunay"}},
+      {"spacing four times too large",
+       stretch_the_spacing,
+       {"graph_spacing", "euclidean_spacing"},
+       {}},
+      {"special point lost", lose_a_special_point, {"fixed_nodes_kept"}, {}},
+      {"level repeated", repeat_a_level, {"fewer_nodes"}, {}},
+      {"notch cut into a level",
+       cut_a_notch,
+       {"boundary_nested"},
+       kShape + Names{"graph_spacing", "manifold_nodes", "no_unused_node"}},
+  };
+}
+
+TEST(HierarchyMutation, CleanHierarchiesRaiseNothing) {
+  for (const Sequence& sequence : clean_sequences()) {
+    const auto report = audit_of(sequence);
+    EXPECT_TRUE(report.pass()) << sequence.name;
+    for (const auto& name : failing(report))
+      EXPECT_EQ(kShape.count(name), 1u) << sequence.name << ": " << name;
+  }
+}
+
+TEST(HierarchyMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
+  std::printf("%-55s %8s %8s %12s\n", "fault", "planted", "found", "false alarms");
+  for (const Fault& fault : faults()) {
+    int planted = 0, found = 0, alarms = 0;
+    for (const Sequence& clean : clean_sequences()) {
+      const Names legal = failing(audit_of(clean)) + fault.must + fault.may;
+      Random random(5);
+      for (int i = 0; i < 3; ++i) {
+        Sequence sequence = clean;
+        if (!fault.plant(sequence, random)) continue;
+        ++planted;
+        const Names after = failing(audit_of(sequence));
+        found += std::includes(after.begin(), after.end(), fault.must.begin(), fault.must.end());
+        for (const auto& name : fault.must)
+          EXPECT_EQ(after.count(name), 1u) << fault.name << ", " << clean.name << ": " << name;
+        alarms += !std::includes(legal.begin(), legal.end(), after.begin(), after.end());
+        for (const auto& name : after)
+          EXPECT_EQ(legal.count(name), 1u) << fault.name << ", " << clean.name << ": " << name;
+      }
+    }
+    std::printf("%-55s %8d %8d %12d\n", fault.name.c_str(), planted, found, alarms);
+    EXPECT_GT(planted, 0) << fault.name;
+    EXPECT_EQ(found, planted) << fault.name;
+    EXPECT_EQ(alarms, 0) << fault.name;
+  }
+}
+
+}  // namespace
+}  // namespace wellspaced
