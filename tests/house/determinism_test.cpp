@@ -1,0 +1,93 @@
+// The same bytes come out everywhere: hashes of results, written down once and compared on every
+// compiler, optimisation level and architecture.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "wellspaced/algorithms/coarsening/coarsen.hpp"
+#include "wellspaced/algorithms/generate/graded_mesh.hpp"
+#include "wellspaced/algorithms/generate/point_sets.hpp"
+#include "wellspaced/kernel/sha256.hpp"
+#include "wellspaced/kernel/triangulate.hpp"
+
+namespace wellspaced {
+namespace {
+
+// Gathers the bytes of plain arrays, little-endian as on all machines that we build for.
+class Bytes {
+ public:
+  template <class T>
+  Bytes& add(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    return *this;
+  }
+  Bytes& add(const TriangleMesh& mesh) {
+    return add(mesh.points).add(mesh.triangles).add(mesh.segments);
+  }
+  std::string hash() const { return sha256(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+std::string hash_of(const Hierarchy& hierarchy) {
+  Bytes bytes;
+  for (const Level& level : hierarchy.levels)
+    bytes.add(level.mesh).add(level.spacing).add(level.parent).add(level.origin);
+  return bytes.hash();
+}
+
+TriangleMesh airfoil() { return *generate_graded_mesh(GradedDomain::kAirfoil, {.nodes = 3000}); }
+
+std::string hash_of_coarsening(CoarseningMethod method) {
+  CoarseningOptions options;
+  options.method = method;
+  return hash_of(*coarsen(airfoil(), options));
+}
+
+TEST(Determinism, OfTriangulatedPoints) {
+  Bytes bytes;
+  for (const auto& points : {random_points(5000, 1), clustered_points(5000, 20, 1),
+                             spiral_points(5000, 40), grid_points(60, 60)}) {
+    const Delaunay2 dt = *Delaunay2::build(points);
+    for (Index t = 0; t < dt.topology().size(); ++t) {
+      const auto& v = dt.topology().vertices(t);
+      bytes.add(std::vector<Index>(v.begin(), v.end()));
+    }
+  }
+  EXPECT_EQ(bytes.hash(), "fd8a554a4f10e9903fc6ffb1867be92c21c4cb96a43fae59539e039fd55216e2");
+}
+
+TEST(Determinism, OfSplitCrossings) {
+  Pslg graph;
+  graph.points = random_points(60, 3);
+  for (Index i = 0; i + 1 < 60; i += 2) graph.segments.push_back({i, i + 1, 1});
+  const PlanarTriangulation result = *triangulate(graph);
+  EXPECT_EQ(
+      Bytes().add(result.delaunay.points()).add(result.triangles()).add(result.segments).hash(),
+      "62783516e5e423de4aee052d970184e2db3217c440f48df532196b80427ff645");
+}
+
+TEST(Determinism, OfGeneratedMeshes) {
+  Bytes bytes;
+  for (const GradedDomain domain :
+       {GradedDomain::kAirfoil, GradedDomain::kAnnulus, GradedDomain::kCrack})
+    bytes.add(*generate_graded_mesh(domain, {.nodes = 3000}));
+  EXPECT_EQ(bytes.hash(), "2869d74fcb2b6947ce8f843697b5402b6478ee88fa749fd8a796799b839404e9");
+}
+
+TEST(Determinism, OfFunctionBasedCoarsening) {
+  EXPECT_EQ(hash_of_coarsening(CoarseningMethod::kFunction),
+            "8486b1956020c023f2511d0703bb4037526abb461fd306f20ac41f9236584844");
+}
+
+TEST(Determinism, OfMisBasedCoarsening) {
+  EXPECT_EQ(hash_of_coarsening(CoarseningMethod::kMis),
+            "d89ab5ab6cddf032f236904ff9ae495a27f4a01b099b01cb280533e3979bac5a");
+}
+
+}  // namespace
+}  // namespace wellspaced
