@@ -9,10 +9,10 @@
 // sign never depends on the order in which points are given, beyond the parity. Scaling all
 // coordinates by a power of two and exact translation change nothing.
 //
-// Requires: finite coordinates; IEEE double arithmetic (compiling with -ffast-math is an error) that
-// rounds to nearest and does not flush subnormals to zero.
-// Cost: a few ns where the filter decides, tens of ns on grids and cocircular points, microseconds
-// where the coordinates' exponents lie more than 72 apart.
+// Requires: finite coordinates; IEEE double arithmetic (compiling with -ffast-math is an error)
+// that rounds to nearest and does not flush subnormals to zero. Cost: a few ns where the filter
+// decides, tens of ns on grids and cocircular points, microseconds where the coordinates' exponents
+// lie more than 72 apart.
 //
 // Header-only use: define WELLSPACED_HEADER_ONLY in every source file, and link nothing.
 #pragma once

@@ -14,9 +14,7 @@
 
 namespace wellspaced::test {
 
-inline std::string table_file(const std::string& name) {
-  return data_path("../tables/" + name);
-}
+inline std::string table_file(const std::string& name) { return data_path("../tables/" + name); }
 
 /// The special points of a mesh in tables/special_points.csv, whose last column lists them.
 inline std::vector<Index> listed_special_points(const std::string& mesh) {
