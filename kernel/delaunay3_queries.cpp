@@ -20,6 +20,33 @@ void sort_unique(std::vector<Index>& list) {
 
 }  // namespace
 
+// ---- Validity ----------------------------------------------------------------------------------
+
+// The vertex beyond the facet lies neither inside the sphere of a real tet nor beyond the plane of
+// a ghost's hull facet.
+static bool is_locally_delaunay(const Delaunay3& delaunay, Facet f) {
+  const Triangulation3& topology = delaunay.topology();
+  const auto& p = delaunay.points();
+  const Index beyond = topology.apex(topology.mirror(f));
+  if (beyond == kGhost) return true;
+  const auto& v = topology.vertices(f.tet);
+  if (topology.is_ghost(f.tet)) return orient3d(p[v[0]], p[v[1]], p[v[2]], p[beyond]) >= 0;
+  return insphere(p[v[1]], p[v[0]], p[v[2]], p[v[3]], p[beyond]) <= 0;
+}
+
+bool is_valid(const Delaunay3& delaunay) {
+  const Triangulation3& topology = delaunay.topology();
+  const auto& p = delaunay.points();
+  if (!topology.is_valid()) return false;
+  for (Index t = 0; t < topology.size(); ++t) {
+    const auto& v = topology.vertices(t);
+    if (!topology.is_ghost(t) && orient3d(p[v[1]], p[v[0]], p[v[2]], p[v[3]]) <= 0) return false;
+    for (unsigned i = 0; i < 4; ++i)
+      if (!is_locally_delaunay(delaunay, {t, i})) return false;
+  }
+  return true;
+}
+
 std::vector<std::array<Index, 4>> real_tets(const Delaunay3& delaunay) {
   const Triangulation3& topology = delaunay.topology();
   std::vector<std::array<Index, 4>> tets;

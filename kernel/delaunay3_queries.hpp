@@ -9,6 +9,12 @@
 
 namespace wellspaced {
 
+/// Whether the triangulation holds what Delaunay3 promises: its topology is valid, no tet is flat
+/// or inverted, the hull is convex, and no vertex lies inside the circumsphere of the tet on the
+/// other side of a facet; by Delaunay's lemma then none lies inside any. True below dimension 3.
+/// Cost: linear, five exact signs a tet.
+bool is_valid(const Delaunay3& delaunay);
+
 /// The tets, ghosts left out, each positive. Empty below dimension 3.
 std::vector<std::array<Index, 4>> real_tets(const Delaunay3& delaunay);
 

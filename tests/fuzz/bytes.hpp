@@ -47,6 +47,17 @@ class Bytes {
     return {x, coordinate()};
   }
 
+  Point3 point3() {
+    const Point2 p = point();
+    return {p.x, p.y, coordinate()};
+  }
+
+  std::vector<Point3> points3(std::size_t most) {
+    std::vector<Point3> points;
+    for (std::size_t n = byte() % (most + 1); n > 0 && !empty(); --n) points.push_back(point3());
+    return points;
+  }
+
   std::vector<Point2> points(std::size_t most) {
     std::vector<Point2> points;
     for (std::size_t n = byte() % (most + 1); n > 0 && !empty(); --n) points.push_back(point());

@@ -28,6 +28,12 @@ TEST(CompareDistances, IsExactBelowRoundingAndBelowTheNormalRange) {
   EXPECT_EQ(compare_distances({1e308, 0, 0}, {-1e308, 0, 0}, {-1e308, 1, 0}), -1);
 }
 
+TEST(Delaunay3Queries, ValidityHoldsForEveryDegenerateFamilyAndBelowDimensionThree) {
+  for (const auto& [name, points] : test::degenerate_sets3()) EXPECT_TRUE(is_valid(built(points)));
+  EXPECT_TRUE(is_valid(built({})));
+  EXPECT_TRUE(is_valid(built(test::lattice3(4, 4, 1))));
+}
+
 TEST(Delaunay3Queries, HullFacetsFaceOutwardsAndAreClosed) {
   for (const auto& [name, points] : test::degenerate_sets3()) {
     SCOPED_TRACE(name);
