@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "wellspaced/kernel/predicates.hpp"
@@ -60,6 +61,7 @@ std::vector<std::size_t> ContractedBoundary::broken_edges(std::span<const Index>
   std::vector<std::uint8_t> broken(edges_.size(), 0);
   mark_crossings(broken);
   mark_met_nodes(selected, broken);
+  mark_doubles(broken);
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i < edges_.size(); ++i)
     if (broken[i]) list.push_back(i);
@@ -88,6 +90,20 @@ void ContractedBoundary::mark_met_nodes(std::span<const Index> selected,
       if (on_open_segment(p, chain.front(), chain.back()) || winding_number(chain, p) != 0)
         broken[edge] = 1;
     });
+  }
+}
+
+// Edges on the two lips of a slit join different nodes, though in the same places.
+void ContractedBoundary::mark_doubles(std::vector<std::uint8_t>& broken) const {
+  const auto ends = [&](std::size_t i) { return std::minmax(edges_[i].a, edges_[i].b); };
+  std::vector<std::size_t> order(edges_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return ends(i) < ends(j); });
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (ends(order[k - 1]) != ends(order[k])) continue;
+    for (const std::size_t i : {order[k - 1], order[k]})
+      if (edges_[i].steps > 1) broken[i] = 1;
   }
 }
 

@@ -26,9 +26,11 @@ class ContractedBoundary {
 
   /// The edges that must get an eliminated node back, ascending: those that replace a chain and
   /// cross another edge, or pass through a selected node, or whose region has a selected node
-  /// inside, which the boundary would jump over.
-  /// Where there are none, the new boundary lies in the plane as the old one did: no edges cross,
-  /// every hole stays in its component, no curve is turned over.
+  /// inside, which the boundary would jump over, or that join the same two nodes as another edge.
+  ///
+  /// Where there are none, the new boundary lies in the plane as the old one did: every chain can
+  /// be pulled straight without passing over another node, so no hole closes or leaves its
+  /// component, and no curve is turned over. (A curve without 2 selected nodes is lost before.)
   /// Cost: O(b log b) for b boundary nodes, and the chains of the regions whose boxes overlap.
   std::vector<std::size_t> broken_edges(std::span<const Index> selected) const;
 
@@ -47,6 +49,7 @@ class ContractedBoundary {
   Point2 to(const ContractedEdge& edge) const { return points_[edge.b]; }
   void mark_crossings(std::vector<std::uint8_t>& broken) const;
   void mark_met_nodes(std::span<const Index> selected, std::vector<std::uint8_t>& broken) const;
+  void mark_doubles(std::vector<std::uint8_t>& broken) const;
 
   std::span<const Point2> points_;
   std::vector<ContractedEdge> edges_;

@@ -9,14 +9,21 @@
 namespace wellspaced {
 namespace {
 
-bool in_diametral_circle(Point2 p, Point2 a, Point2 b) {
-  return (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y) < 0;
-}
+// An edge with its length, to measure in units of which no product over- or underflows.
+struct MeasuredEdge {
+  Point2 a, b;
+  double length = 0;
 
-// |edge| times the distance from p to the line through a and b.
-double twice_area(Point2 p, Point2 a, Point2 b) {
-  return std::fabs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x));
-}
+  bool has_in_diametral_circle(Point2 p) const {
+    const double ax = (a.x - p.x) / length, ay = (a.y - p.y) / length;
+    const double bx = (b.x - p.x) / length, by = (b.y - p.y) / length;
+    return ax * bx + ay * by < 0;
+  }
+  double distance_of_line_from(Point2 p) const {
+    const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
+    return std::fabs(ux * (p.y - a.y) - uy * (p.x - a.x));
+  }
+};
 
 }  // namespace
 
@@ -28,17 +35,16 @@ SearchCount protect_edges(const Graph& graph, std::span<const Point2> points,
   LocalSearch search(graph);
   for (const ContractedEdge& edge : edges) {
     const Point2 a = points[edge.a], b = points[edge.b];
-    const double length = distance(a, b);
-    const double reach = length * std::sqrt(0.25 + ratio * ratio);
+    const MeasuredEdge measured{a, b, distance(a, b)};
+    const double reach = measured.length * std::sqrt(0.25 + ratio * ratio);
     std::size_t within_reach = 0;
     search.run(
         std::array{edge.a, edge.b}, [](Index, double) { return true; },
         [&](Index v, double d) {
-          if (d > length) return false;
+          if (d > measured.length) return false;
           within_reach += d <= reach;
-          const Point2 p = points[v];
-          const bool close =
-              in_diametral_circle(p, a, b) && twice_area(p, a, b) < ratio * length * length;
+          const bool close = measured.has_in_diametral_circle(points[v]) &&
+                             measured.distance_of_line_from(points[v]) < ratio * measured.length;
           if (close && !on_boundary[v]) selection.invalidate(v);
           return true;
         });

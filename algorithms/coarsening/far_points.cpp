@@ -6,16 +6,13 @@
 #include <utility>
 
 #include "wellspaced/kernel/distance.hpp"
+#include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
 namespace {
 
-double cross(Point2 a, Point2 b, Point2 c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-// Positions of the corners of the convex hull, counter-clockwise (Andrew's monotone chain). The
-// hull only proposes candidates for the farthest pair, so rounding does no harm here.
+// Positions of the corners of the convex hull, counter-clockwise (Andrew's monotone chain).
+// Requires: a point.
 std::vector<std::size_t> convex_hull(std::span<const Point2> points) {
   std::vector<std::size_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -28,7 +25,7 @@ std::vector<std::size_t> convex_hull(std::span<const Point2> points) {
     const std::size_t base = hull.size();
     for (auto it = first; it != last; ++it) {
       while (hull.size() > base + 1 &&
-             cross(points[hull[hull.size() - 2]], points[hull.back()], points[*it]) <= 0)
+             orient2d(points[hull[hull.size() - 2]], points[hull.back()], points[*it]) <= 0)
         hull.pop_back();
       hull.push_back(*it);
     }
@@ -51,6 +48,11 @@ struct FarPair {
   }
 };
 
+double distance_to_line(Point2 p, Point2 a, Point2 b) {
+  const double length = distance(a, b);
+  return std::fabs((p.x - a.x) * ((b.y - a.y) / length) - (p.y - a.y) * ((b.x - a.x) / length));
+}
+
 // Rotating calipers: as the edge i, i+1 turns around the hull, its farthest corner j follows.
 FarPair farthest_pair(std::span<const Point2> points) {
   const std::vector<std::size_t> hull = convex_hull(points);
@@ -62,7 +64,7 @@ FarPair farthest_pair(std::span<const Point2> points) {
       best.consider(points, hull[i % n], hull[j % n]);
       best.consider(points, hull[(i + 1) % n], hull[j % n]);
       const Point2 a = corner(i), b = corner(i + 1);
-      if (cross(a, b, corner(j + 1)) < cross(a, b, corner(j))) break;
+      if (distance_to_line(corner(j + 1), a, b) < distance_to_line(corner(j), a, b)) break;
     }
   }
   return best;
@@ -78,13 +80,8 @@ double distance_to_segment(Point2 p, Point2 a, Point2 b) {
   return std::fabs((p.x - a.x) * uy - (p.y - a.y) * ux);
 }
 
-double distance_to_line(Point2 p, Point2 a, Point2 b) {
-  const double length = distance(a, b);
-  return std::fabs((p.x - a.x) * ((b.y - a.y) / length) - (p.y - a.y) * ((b.x - a.x) / length));
-}
-
 double distance_to_triangle(Point2 p, Point2 a, Point2 b, Point2 c) {
-  const double ab = cross(a, b, p), bc = cross(b, c, p), ca = cross(c, a, p);
+  const int ab = orient2d(a, b, p), bc = orient2d(b, c, p), ca = orient2d(c, a, p);
   const bool inside = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
   if (inside) return 0;
   return std::min(
@@ -115,9 +112,10 @@ std::size_t next_far_point(std::span<const Point2> loop, std::span<const std::si
 
 std::vector<std::size_t> add_far_points(std::span<const Point2> loop,
                                         std::vector<std::size_t> chosen, std::size_t count) {
-  if (chosen.empty() && count >= 2 && loop.size() >= 2) {
+  if (chosen.empty()) {
+    if (loop.size() < 2) return {};
     const FarPair pair = farthest_pair(loop);
-    if (!(pair.distance > 0)) return chosen;
+    if (!(pair.distance > 0)) return {};
     chosen = {pair.a, pair.b};
   }
   while (chosen.size() < count) {

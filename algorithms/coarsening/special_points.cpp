@@ -6,6 +6,7 @@
 
 #include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
 #include "wellspaced/algorithms/coarsening/far_points.hpp"
+#include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
 
 namespace wellspaced {
@@ -47,8 +48,10 @@ class Walls {
 constexpr double kCosine30Degrees = 0.86602540378443864676;
 
 bool turns_sharply(Point2 before, Point2 at, Point2 after) {
-  const double dot = (at.x - before.x) * (after.x - at.x) + (at.y - before.y) * (after.y - at.y);
-  return dot < kCosine30Degrees * (distance(before, at) * distance(at, after));
+  const double in = distance(before, at), out = distance(at, after);
+  const double cosine = (at.x - before.x) / in * ((after.x - at.x) / out) +
+                        (at.y - before.y) / in * ((after.y - at.y) / out);
+  return cosine < kCosine30Degrees;
 }
 
 bool is_corner(std::span<const Point2> points, std::span<const Segment> walls) {
@@ -103,14 +106,19 @@ void append_loose_loops(const CornerTable& table, std::span<const BoundaryCurve>
       loops.push_back(curve.nodes);
 }
 
-// Positive for a loop with what it encloses on its left.
-double signed_area(std::span<const Point2> loop) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    const Point2 a = loop[i], b = loop[i + 1];
-    sum += (a.x - loop[0].x) * (b.y - loop[0].y) - (a.y - loop[0].y) * (b.x - loop[0].x);
+// Whether a loop has what it encloses on its left: by its area, in units of its extent so that no
+// product overflows.
+bool is_counter_clockwise(std::span<const Point2> loop) {
+  const Box2 box = Box2::around(loop);
+  const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+  double area = 0;
+  Point2 a = loop.back();
+  for (const Point2 b : loop) {
+    area += (a.x - box.low.x) / width * ((b.y - box.low.y) / height) -
+            (b.x - box.low.x) / width * ((a.y - box.low.y) / height);
+    a = b;
   }
-  return sum / 2;
+  return area > 0;
 }
 
 void pin_far_points(std::span<const Point2> points, std::span<const Index> loop,
@@ -125,7 +133,7 @@ void pin_far_points(std::span<const Point2> points, std::span<const Index> loop,
     chosen.push_back(i);
     if (chosen.size() == 3) return;
   }
-  const std::size_t count = signed_area(outline) > 0 ? 4 : 3;
+  const std::size_t count = is_counter_clockwise(outline) ? 4 : 3;
   for (const std::size_t i : add_far_points(outline, std::move(chosen), count)) pinned[loop[i]] = 1;
 }
 

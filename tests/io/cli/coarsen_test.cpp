@@ -39,7 +39,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(Coarsen, WritesEveryLevelAndItsLinks) {
+TEST(CoarsenCommand, WritesEveryLevelAndItsLinks) {
   const TemporaryDirectory directory;
   write_square(directory, 20);
   const ProgramRun run =
@@ -60,7 +60,7 @@ TEST(Coarsen, WritesEveryLevelAndItsLinks) {
   EXPECT_EQ(test::read_bytes(directory / "out/level_1.node").rfind(nodes + " 2 ", 0), 0u);
 }
 
-TEST(Coarsen, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
+TEST(CoarsenCommand, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
   const TemporaryDirectory directory;
   write_square(directory, 20);
   for (const char* name : {"1", "1", "2"}) {
@@ -76,7 +76,7 @@ TEST(Coarsen, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
   }
 }
 
-TEST(Coarsen, PrintsTheContractOfItsJson) {
+TEST(CoarsenCommand, PrintsTheContractOfItsJson) {
   const TemporaryDirectory directory;
   write_square(directory, 12);
   const ProgramRun run =
@@ -99,7 +99,7 @@ TEST(Coarsen, PrintsTheContractOfItsJson) {
     EXPECT_TRUE(contains(run.out, key)) << key << " in " << run.out;
 }
 
-TEST(Coarsen, LeavesMeasuresNullWhereNoneAreAskedFor) {
+TEST(CoarsenCommand, LeavesMeasuresNullWhereNoneAreAskedFor) {
   const TemporaryDirectory directory;
   write_square(directory, 12);
   const ProgramRun run =
@@ -110,7 +110,7 @@ TEST(Coarsen, LeavesMeasuresNullWhereNoneAreAskedFor) {
   EXPECT_TRUE(contains(run.out, "\"path_depth\":null"));
 }
 
-TEST(Coarsen, RunsBothMethodsSideBySide) {
+TEST(CoarsenCommand, RunsBothMethodsSideBySide) {
   const TemporaryDirectory directory;
   write_square(directory, 12);
   const ProgramRun run = run_program({"coarsen", directory / "square", "--method", "function,mis",
@@ -122,7 +122,7 @@ TEST(Coarsen, RunsBothMethodsSideBySide) {
     EXPECT_TRUE(contains(test::read_bytes(directory / name), "<svg")) << name;
 }
 
-TEST(Coarsen, StopsAfterTheLevelsOrAtTheNodesAskedFor) {
+TEST(CoarsenCommand, StopsAfterTheLevelsOrAtTheNodesAskedFor) {
   const TemporaryDirectory directory;
   write_square(directory, 20);
   const auto levels = [&](const std::string& option, const std::string& value) {
@@ -136,7 +136,7 @@ TEST(Coarsen, StopsAfterTheLevelsOrAtTheNodesAskedFor) {
   EXPECT_EQ(levels("--until", "440"), 2);
 }
 
-TEST(Coarsen, KeepsTheFixedPointsOfAFile) {
+TEST(CoarsenCommand, KeepsTheFixedPointsOfAFile) {
   const TemporaryDirectory directory;
   write_square(directory, 20);
   const std::string fixed = directory.write("fixed", "0 20\n# the far corners\n420 440 7\n");
@@ -147,7 +147,7 @@ TEST(Coarsen, KeepsTheFixedPointsOfAFile) {
   EXPECT_EQ(test::read_bytes(directory / "out/level_2.origin"), "0\n7\n20\n420\n440\n");
 }
 
-TEST(Coarsen, RefusesOptionsOutOfRangeInOneLineAndWritesNothing) {
+TEST(CoarsenCommand, RefusesOptionsOutOfRangeInOneLineAndWritesNothing) {
   const TemporaryDirectory directory;
   write_square(directory, 3);
   const std::string fixed = directory.write("fixed", "0 1\n2 16\n");
@@ -176,7 +176,7 @@ TEST(Coarsen, RefusesOptionsOutOfRangeInOneLineAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(directory / "out"));
 }
 
-TEST(Coarsen, WritesTheLevelsThatAreDoneAtALimit) {
+TEST(CoarsenCommand, WritesTheLevelsThatAreDoneAtALimit) {
   const TemporaryDirectory directory;
   write_square(directory, 3);
   const ProgramRun run = run_program({"coarsen", directory / "square", "--time-limit", "1e-9",

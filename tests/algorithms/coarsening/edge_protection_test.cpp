@@ -1,0 +1,79 @@
+#include "wellspaced/algorithms/coarsening/edge_protection.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/grid_meshes.hpp"
+#include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
+#include "wellspaced/kernel/distance.hpp"
+
+namespace wellspaced {
+namespace {
+
+// A grid whose boundary is contracted to every `stride`-th node.
+struct Protected {
+  TriangleMesh mesh;
+  Graph graph;
+  Boundary boundary;
+  std::vector<ContractedEdge> edges;
+  NodeSelection selection;
+
+  Protected(const TriangleMesh& grid, Index stride)
+      : mesh(grid),
+        graph(mesh_graph(mesh)),
+        boundary(boundary_of(mesh, corner_table(mesh.triangles, graph.nodes()))),
+        selection(graph.nodes(), boundary.twins, [](Index, std::vector<Index>&) {}) {
+    std::vector<std::uint8_t> survives(graph.nodes(), 0);
+    for (const BoundaryCurve& curve : boundary.curves)
+      for (std::size_t i = 0; i < curve.nodes.size(); i += stride) survives[curve.nodes[i]] = 1;
+    edges = contract_boundary(boundary, mesh.points, survives);
+  }
+  bool lies_too_close(Index v, double ratio) const {
+    const Point2 p = mesh.points[v];
+    for (const ContractedEdge& edge : edges) {
+      const Point2 a = mesh.points[edge.a], b = mesh.points[edge.b];
+      const double length = distance(a, b);
+      const bool in_circle = distance(p, {(a.x + b.x) / 2, (a.y + b.y) / 2}) < length / 2;
+      const double area = std::fabs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x));
+      if (in_circle && area / length < ratio * length) return true;
+    }
+    return false;
+  }
+};
+
+TEST(ProtectEdges, MakesInvalidExactlyTheInteriorNodesInTheZones) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    for (const double ratio : {0.0, 0.15, 0.2, 0.5}) {
+      const TriangleMesh grid = test::grid_mesh({.nx = 20, .ny = 20, .hole = 0.02, .seed = seed});
+      Protected domain(grid, 5);
+      protect_edges(domain.graph, domain.mesh.points, domain.edges, domain.boundary.on_boundary,
+                    ratio, domain.selection);
+      for (Index v = 0; v < domain.graph.nodes(); ++v) {
+        const bool expected = !domain.boundary.on_boundary[v] && domain.lies_too_close(v, ratio);
+        EXPECT_EQ(!domain.selection.is_free(v), expected) << "node " << v << ", seed " << seed;
+      }
+    }
+}
+
+TEST(ProtectEdges, ExemptsSelectedNodes) {
+  Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 20);
+  domain.selection.force(std::vector<Index>{31});  // (10, 1), above the middle of the lower edge
+  protect_edges(domain.graph, domain.mesh.points, domain.edges, domain.boundary.on_boundary, 0.2,
+                domain.selection);
+  EXPECT_TRUE(domain.selection.is_selected(31));
+  EXPECT_FALSE(domain.selection.is_free(32));
+}
+
+TEST(ProtectEdges, CountsTheNodesWithinReachOfEachEdge) {
+  Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 2);
+  const SearchCount count = protect_edges(domain.graph, domain.mesh.points, domain.edges,
+                                          domain.boundary.on_boundary, 0.2, domain.selection);
+  EXPECT_EQ(count.searches, 40u);
+  // Edges of length 2, reach 1.077: both ends, the node between, and each end's neighbours.
+  EXPECT_GE(count.max, 5u);
+  EXPECT_LE(count.max, 7u);
+}
+
+}  // namespace
+}  // namespace wellspaced
