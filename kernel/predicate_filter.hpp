@@ -83,7 +83,8 @@ inline int incircle(Point2 a, Point2 b, Point2 c, Point2 d) {
   return incircle_of_differences(a.x - d.x, a.y - d.y, b.x - d.x, b.y - d.y, c.x - d.x, c.y - d.y);
 }
 
-/// r = 8, and P <= 6 X Y Z for the largest |x|, |y|, |z| of the differences.
+/// r = 8, and P <= 6 X Y Z for the largest |x|, |y|, |z| of the differences. The factor that the
+/// minors are multiplied with comes last, for it multiplies what underflows in them.
 inline constexpr double kOrient3dBound = 6 * 0x9p-53;
 inline constexpr double kOrient3dUnderflow = 0x1p-1060;
 
@@ -146,7 +147,7 @@ inline TetSides sides_of_differences(Point3 a, Point3 b, Point3 c, Point3 d) {
   const double z = largest_magnitude(a.z, b.z, largest_magnitude(c.z, d.z, 0));
   return {{b.z * cd - c.z * bd + d.z * bc, -(c.z * da + d.z * ac + a.z * cd),
            d.z * ab + a.z * bd + b.z * da, -(a.z * bc - b.z * ac + c.z * ab)},
-          x * (kOrient3dBound * (y * z) + kOrient3dUnderflow) + kOrient3dUnderflow};
+          z * (kOrient3dBound * (x * y) + kOrient3dUnderflow) + kOrient3dUnderflow};
 }
 
 inline TetSides sides(Point3 a, Point3 b, Point3 c, Point3 d, Point3 p) {

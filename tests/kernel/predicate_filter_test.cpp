@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/points3.hpp"
+#include "tests/support/predicate_cases.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
@@ -38,6 +39,21 @@ TEST(PredicateFilter, CertainSidesOfATetAreThoseOfOrient3d) {
     EXPECT_EQ(signs.negative & ~signs.certain, 0u);
   });
   EXPECT_GT(certain, 20000);
+}
+
+TEST(PredicateFilter, CertainSidesOfATetAreThoseOfOrient3dOnHardLines) {
+  using testing::point3;
+  testing::LineGenerator<testing::InsphereCase> generator(1);
+  for (int i = 0; i < 40000; ++i) {
+    const auto x = generator.line(static_cast<testing::Family>(i % testing::kFamilies));
+    const Point3 a = point3(&x[0]), b = point3(&x[3]), c = point3(&x[6]), d = point3(&x[9]);
+    const Point3 p = point3(&x[12]);
+    const auto signs = predicate_filter::sides(a, b, c, d, p).signs();
+    const int expected[] = {orient3d(b, c, d, p), orient3d(a, d, c, p), orient3d(a, b, d, p),
+                            orient3d(a, c, b, p)};
+    for (unsigned k = 0; k < 4; ++k)
+      if (signs.certain >> k & 1) ASSERT_EQ(expected[k], (signs.negative >> k & 1) ? -1 : 1) << i;
+  }
 }
 
 TEST(PredicateFilter, SidesThatOverflowAreNotCertain) {

@@ -131,8 +131,9 @@ enum class Family {
   kDuplicates,      ///< uniform, with equal points
   kTangent,         ///< rounded from a circle or sphere through the last point, the others at
                     ///< distances from it that span hundreds of powers of two
+  kStretched,       ///< nudged from a line or plane, each axis at a scale of its own
 };
-inline constexpr int kFamilies = 9;
+inline constexpr int kFamilies = 10;
 
 template <class Case>
 class LineGenerator {
@@ -160,6 +161,8 @@ class LineGenerator {
         return duplicates();
       case Family::kTangent:
         return tangent();
+      case Family::kStretched:
+        return stretched(nudged(on_a_flat()));
     }
     return {};
   }
@@ -277,6 +280,14 @@ class LineGenerator {
     const std::size_t from = random_.below(Case::kPoints) * kDimension;
     const std::size_t to = random_.below(Case::kPoints) * kDimension;
     for (std::size_t k = 0; k < kDimension; ++k) x[to + k] = x[from + k];
+    return x;
+  }
+
+  // Products of two axes may underflow, and the third make up for it.
+  Coordinates stretched(Coordinates x) {
+    std::array<int, kDimension> exponent;
+    for (int& e : exponent) e = static_cast<int>(random_.below(1900)) - 1000;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::ldexp(x[i], exponent[i % kDimension]);
     return x;
   }
 
