@@ -15,6 +15,16 @@ bool is_hex(std::string_view digits) {
   return digits.size() > 2 && digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X');
 }
 
+// from_chars of libstdc++ 12 also takes a sign or a word ("inf") behind the prefix, and a second
+// sign in the exponent.
+bool is_well_formed_hex(std::string_view digits) {
+  if (digits.find_first_not_of("0123456789abcdefABCDEF.pP+-") != std::string_view::npos)
+    return false;
+  if (digits.find_first_of("+-pP") == 0) return false;
+  const std::size_t sign = digits.find_first_of("+-");
+  return sign == digits.find_last_of("+-");
+}
+
 // The exponent behind the letter, cut to +-kHuge.
 std::int64_t exponent_value(std::string_view text) {
   if (!text.empty() && text[0] == '+') text.remove_prefix(1);
@@ -41,6 +51,7 @@ bool is_tiny(std::string_view digits, bool hex) {
 ParsedNumber parse_magnitude(std::string_view digits) {
   const bool hex = is_hex(digits);
   if (hex) digits.remove_prefix(2);
+  if (hex && !is_well_formed_hex(digits)) return {};
   double value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, code] = std::from_chars(

@@ -59,6 +59,12 @@ TEST(ParseNumber, RefusesWhatIsNoNumber) {
     EXPECT_EQ(parse_number(text).status, NumberStatus::kMalformed) << text;
 }
 
+// Found by fuzzing.
+TEST(ParseNumber, RefusesASignOrAWordBehindTheHexPrefix) {
+  for (const char* text : {"0x-1708p-174", "0x+1", "0xinf", "0xnan", "-0x-1", "0x-inf"})
+    EXPECT_EQ(parse_number(text).status, NumberStatus::kMalformed) << text;
+}
+
 TEST(ParseNumber, ReadsNanAndInfinityAsSuch) {
   EXPECT_TRUE(std::isnan(value_of("nan")));
   EXPECT_TRUE(std::isnan(value_of("-NaN")));
