@@ -65,7 +65,7 @@ Result<int> run(Arguments& arguments, Session& session) {
                      " is none of orient2d, incircle, orient3d, insphere",
                  {}};
   const std::string& path = arguments.operands()[1];
-  const auto text = read_input(path);
+  const auto text = read_input(path, session.largest_input());
   if (!text) return text.error();
   Scanner scanner(*text, display_name(path));
   const std::size_t skipped = arguments.has("--corpus") ? kCorpusFields : 0;

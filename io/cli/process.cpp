@@ -23,7 +23,17 @@ namespace {
 
 volatile std::sig_atomic_t interrupt_flag = 0;
 
+#if WELLSPACED_POSIX
+// A read that begins after the signal would block all the same: the alarm breaks it off, if need
+// be again and again.
+extern "C" void break_off_reads(int) { alarm(1); }
+extern "C" void set_interrupt_flag(int) {
+  interrupt_flag = 1;
+  alarm(1);
+}
+#else
 extern "C" void set_interrupt_flag(int) { interrupt_flag = 1; }
+#endif
 
 void exit_without_memory() {
   std::fputs(
@@ -54,9 +64,11 @@ void report_memory_exhaustion() { std::set_new_handler(exit_without_memory); }
 #if WELLSPACED_POSIX
 
 void catch_interrupts() {
-  struct sigaction action {};
+  struct sigaction action {};  // without SA_RESTART: a blocked read returns
+  action.sa_handler = break_off_reads;
+  sigaction(SIGALRM, &action, nullptr);
   action.sa_handler = set_interrupt_flag;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);  // and no SA_RESTART: a blocked read returns
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "wellspaced/io/cli/arguments.hpp"
+#include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/json/json_writer.hpp"
 #include "wellspaced/kernel/progress.hpp"
@@ -41,6 +42,8 @@ class Session {
 
   const CommonOptions& options() const { return options_; }
   OutputSet& outputs() { return outputs_; }
+  /// How many bytes of one file may be read.
+  std::uint64_t largest_input() const { return options_.max_memory.value_or(kLargestInput); }
 
   /// To pass to the library: draws the bar, and stops at Ctrl-C and at the limits.
   Progress progress();

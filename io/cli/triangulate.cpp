@@ -80,15 +80,19 @@ void pad_point_data(Geometry& geometry) {
   if (!geometry.mesh.point_markers.empty()) geometry.mesh.point_markers.resize(count);
 }
 
+Error cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
+
 // Each of the following turns `geometry` from the input into the triangulation.
 
-Status triangulate_points(const Choices& choices, Geometry& geometry, Report& report) {
+Status triangulate_points(const Choices& choices, const Progress& progress, Geometry& geometry,
+                          Report& report) {
   const MemoryGauge memory;
   const Stopwatch watch;
   const auto delaunay = Delaunay2::build(geometry.mesh.points);
   if (!delaunay) return delaunay.error();
   report.triangulate = watch.elapsed();
   report.peak_bytes = memory.peak();
+  if (!wellspaced::report(progress, "triangulate", 1, 1)) return cancelled();
   describe(*delaunay, choices.cells_hash, {}, report);
   geometry.mesh.triangles = hull_triangles(delaunay->topology());
   report.triangles = geometry.mesh.triangles.size();
@@ -138,7 +142,7 @@ Status triangulate_any(const Choices& choices, const Progress& progress, Geometr
                        Report& report) {
   if (geometry.dimension == 3) return triangulate_solid(choices, progress, geometry, report);
   const bool bare = geometry.mesh.segments.empty() && choices.holes == HoleRule::kNone;
-  return bare ? triangulate_points(choices, geometry, report)
+  return bare ? triangulate_points(choices, progress, geometry, report)
               : triangulate_domain(choices, progress, geometry, report);
 }
 
@@ -201,14 +205,16 @@ std::string to_text(const Report& report) {
 // Says which file an error of the library is about.
 Error in_file(const Error& error, const std::string& path) {
   if (error.code == ErrorCode::kCancelled) return error;
-  return {error.code, display_name(path) + ": " + error.message, error.ids};
+  const std::string counted = error.ids.empty() ? "" : " (counted from 0)";
+  return {error.code, display_name(path) + ": " + error.message + counted, error.ids};
 }
 
 Result<int> run(Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands()[0];
   Report report;
   const Stopwatch reading;
-  auto geometry = read_geometry(path, {.siblings = Siblings::kIgnored});
+  auto geometry =
+      read_geometry(path, {.siblings = Siblings::kIgnored, .largest = session.largest_input()});
   if (!geometry) return geometry.error();
   report.read = reading.elapsed();
   report.points = geometry->point_count();

@@ -1,5 +1,6 @@
 // The built program as its users meet it: exit codes, streams, one-line errors.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <string>
@@ -82,6 +83,22 @@ TEST(Program, ReportsAFullDisk) {
   const ProgramRun run =
       run_program({"predicate", "orient2d", "-", "-o", "/dev/full"}, "0 0 1 0 0 1");
   expect_one_line_error(run, 5, "No space left on device");
+}
+
+TEST(Program, EndsCleanlyAtCtrlCWhileItReads) {
+  const TemporaryDirectory directory, streams;
+  const std::string pipe = streams / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const pid_t child = test::start_program(
+      streams, {"triangulate", pipe, "-o", directory / "a", "--json", directory / "j"},
+      "/dev/null");
+  const int feed = open(pipe.c_str(), O_WRONLY);  // returns when the program has opened it
+  ASSERT_EQ(write(feed, "3 2 0 0\n", 8), 8);
+  kill(child, SIGINT);
+  const ProgramRun run = test::wait_for_program(streams, child);
+  close(feed);
+  expect_one_line_error(run, 5, "interrupted");
+  EXPECT_EQ(directory.count_files(), 0u);
 }
 
 TEST(Predicate, PrintsOneSignALine) {

@@ -21,6 +21,17 @@ constexpr const char* kFrame =
     "8 2 0 1\n1 0 0 1\n2 9 0 1\n3 9 9 1\n4 0 9 1\n5 3 3 2\n6 6 3 2\n7 6 6 2\n8 3 6 2\n"
     "8 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n5 5 6 2\n6 6 7 2\n7 7 8 2\n8 8 5 2\n0\n";
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kAddressSanitizer = true;
+#else
+constexpr bool kAddressSanitizer = false;
+#endif
+
 Json json_of(const std::vector<std::string>& words, const std::string& input = "") {
   std::vector<std::string> all = {"triangulate"};
   all.insert(all.end(), words.begin(), words.end());
@@ -143,9 +154,7 @@ TEST(Triangulate, StopsAtItsTimeLimit) {
 }
 
 TEST(Triangulate, RunsOutOfMemoryInGoodOrder) {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "the sanitizer needs more memory than the limit";
-#endif
+  if (kAddressSanitizer) GTEST_SKIP() << "the sanitizer needs more memory than the limit";
   const TemporaryDirectory directory;
   std::string points;
   for (int i = 0; i < 200000; ++i)

@@ -61,7 +61,8 @@ TEST(ParseNumber, RefusesWhatIsNoNumber) {
 
 // Found by fuzzing.
 TEST(ParseNumber, RefusesASignOrAWordBehindTheHexPrefix) {
-  for (const char* text : {"0x-1708p-174", "0x+1", "0xinf", "0xnan", "-0x-1", "0x-inf"})
+  for (const char* text :
+       {"0x-1708p-174", "0x+1", "0xinf", "0xnan", "-0x-1", "0x-inf", "0x8p+-1705", "0x8p--5"})
     EXPECT_EQ(parse_number(text).status, NumberStatus::kMalformed) << text;
 }
 
