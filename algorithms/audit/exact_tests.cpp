@@ -1,5 +1,6 @@
 #include "wellspaced/algorithms/audit/exact_tests.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,7 +12,7 @@ namespace wellspaced::audit {
 namespace {
 
 // Polynomials in differences to the last point, written for every kind of number that the kernel's
-// exact arithmetic has. Up to kNarrowBits, 64 bits hold all but the last product.
+// exact arithmetic has.
 
 struct ScalarProduct {
   static constexpr std::size_t kDimension = 2;
@@ -23,22 +24,10 @@ struct ScalarProduct {
   }
 };
 
-struct DifferenceOfSquares {
-  static constexpr std::size_t kDimension = 2;
-  static constexpr int kNarrowBits = 61;
-  template <class T>
-  static int sign(const std::array<T, 4>& v) {
-    const auto& [ux, uy, vx, vy] = v;
-    return sign_of((wide_product(ux, ux) + wide_product(uy, uy)) -
-                   (wide_product(vx, vx) + wide_product(vy, vy)));
-  }
-};
-
 // With p, q, b, c relative to a, the circumcentre is (x, y) / (2 b x c). Its side times 2 b x c is
 // 2 (b x c) (p x q) + (q - p) x (x, y).
 struct CircumcentreSide {
   static constexpr std::size_t kDimension = 2;
-  static constexpr int kNarrowBits = 19;
   template <class T>
   static int sign(const std::array<T, 8>& v) {
     const auto& [px, py, qx, qy, bx, by, cx, cy] = v;
@@ -73,27 +62,114 @@ int circumcentre_side_by_filter(const std::array<double, 8>& v) {
   return predicate_filter::certified_sign(side, 0x1p-46 * size);
 }
 
+// Vectors of any kind of number.
+template <class T>
+struct Vector {
+  T x, y, z;
+};
+
+template <class T>
+auto cross(const Vector<T>& a, const Vector<T>& b) {
+  return Vector{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T, class U>
+auto dot(const Vector<T>& a, const Vector<U>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T, class U>
+auto scaled(const T& factor, const Vector<U>& a) {
+  return Vector{factor * a.x, factor * a.y, factor * a.z};
+}
+
+// With p, q, r, b, c, d relative to a, the circumcentre is n / (2 b . c x d), and its side of the
+// plane with normal m, times that, is m . n - 2 (b . c x d) (p . q x r).
+struct CircumcentreSide3 {
+  static constexpr std::size_t kDimension = 3;
+  template <class T>
+  static auto value(const std::array<T, 18>& v) {
+    const Vector<T> p{v[0], v[1], v[2]}, q{v[3], v[4], v[5]}, r{v[6], v[7], v[8]};
+    const Vector<T> b{v[9], v[10], v[11]}, c{v[12], v[13], v[14]}, d{v[15], v[16], v[17]};
+    const auto c_d = cross(c, d), d_b = cross(d, b), b_c = cross(b, c), q_r = cross(q, r);
+    const auto m = q_r + cross(r, p) + cross(p, q);
+    const auto n = scaled(dot(b, b), c_d) + scaled(dot(c, c), d_b) + scaled(dot(d, d), b_c);
+    const auto half = dot(c_d, b) * dot(q_r, p);
+    return dot(m, n) - (half + half);
+  }
+  template <class T>
+  static int sign(const std::array<T, 18>& v) {
+    return sign_of(value(v));
+  }
+};
+
+// With b, c, d relative to a and n = b x c, the centre is (|c|^2 n x b + |b|^2 c x n) / (2 |n|^2).
+struct FaceSphereSide {
+  static constexpr std::size_t kDimension = 3;
+  template <class T>
+  static auto value(const std::array<T, 9>& v) {
+    const Vector<T> b{v[0], v[1], v[2]}, c{v[3], v[4], v[5]}, d{v[6], v[7], v[8]};
+    const auto n = cross(b, c);
+    const auto towards =
+        dot(c, c) * dot(cross_wide(n, b), d) - dot(b, b) * dot(cross_wide(n, c), d);
+    return towards - dot(n, n) * dot(d, d);
+  }
+  template <class T>
+  static int sign(const std::array<T, 9>& v) {
+    return sign_of(value(v));
+  }
+
+ private:
+  template <class T, class U>
+  static auto cross_wide(const Vector<T>& a, const Vector<U>& b) {
+    return Vector{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+// The sign of a polynomial of degree 6 in differences: by doubles where they tell, else exactly.
+// A product of 6 differences is reached through at most 24 roundings; there are fewer than 2^10
+// products, each at most the sixth power of the largest difference, so 2^-36 of that power bounds
+// the error.
+template <class Polynomial, std::size_t N>
+int sign_of_degree_6(const std::array<double, N>& coordinates) {
+  const auto v = exact::differences<Polynomial::kDimension>(coordinates);
+  double largest = 0;
+  for (const double d : v) largest = std::max(largest, std::fabs(d));
+  if (largest > 0x1p-100 && largest < 0x1p100) {
+    const double cube = largest * largest * largest;
+    const int sign = predicate_filter::certified_sign(Polynomial::value(v), 0x1p-36 * cube * cube);
+    if (sign != 0) return sign;
+  }
+  return exact::big_sign<Polynomial>(coordinates);
+}
+
 }  // namespace
 
 int exact_angle_sign(Point2 apex, Point2 p, Point2 q) {
   return exact::sign<ScalarProduct>(std::array{p.x, p.y, q.x, q.y, apex.x, apex.y});
 }
 
-int bisector_side(Point2 u, Point2 v, Point2 x) {
-  const double ux = u.x - x.x, uy = u.y - x.y, vx = v.x - x.x, vy = v.y - x.y;
-  const double u_sq = ux * ux + uy * uy, v_sq = vx * vx + vy * vy;
-  const int sign =
-      predicate_filter::certified_sign(u_sq - v_sq, 0x1p-48 * (u_sq + v_sq) + 0x1p-1000);
-  if (sign != 0) return sign;
-  return exact::sign<DifferenceOfSquares>(std::array{u.x, u.y, v.x, v.y, x.x, x.y});
-}
-
 int circumcentre_side(Point2 p, Point2 q, Point2 a, Point2 b, Point2 c) {
   const int sign = circumcentre_side_by_filter(
       {p.x - a.x, p.y - a.y, q.x - a.x, q.y - a.y, b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y});
   if (sign != 0) return sign;
-  return exact::sign<CircumcentreSide>(
+  return exact::big_sign<CircumcentreSide>(
       std::array{p.x, p.y, q.x, q.y, b.x, b.y, c.x, c.y, a.x, a.y});
+}
+
+int circumcentre_side(const std::array<Point3, 3>& plane, const std::array<Point3, 4>& tet) {
+  const auto& [p, q, r] = plane;
+  const auto& [a, b, c, d] = tet;
+  return sign_of_degree_6<CircumcentreSide3>(std::array{p.x, p.y, p.z, q.x, q.y, q.z, r.x,
+                                                        r.y, r.z, b.x, b.y, b.z, c.x, c.y,
+                                                        c.z, d.x, d.y, d.z, a.x, a.y, a.z});
+}
+
+int face_sphere_side(Point3 a, Point3 b, Point3 c, Point3 d) {
+  return sign_of_degree_6<FaceSphereSide>(
+      std::array{b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, a.x, a.y, a.z});
 }
 
 }  // namespace wellspaced::audit

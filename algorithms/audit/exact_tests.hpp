@@ -1,5 +1,7 @@
-// Exact signs that the auditors need beside the predicates: angles, bisectors, circumcentres.
+// Exact signs that the auditors need beside the predicates: angles and circumcentres.
 #pragma once
+
+#include <array>
 
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/predicate_filter.hpp"
@@ -13,12 +15,18 @@ inline int angle_sign(Point2 apex, Point2 p, Point2 q);
 /// The same without the floating-point filter.
 int exact_angle_sign(Point2 apex, Point2 p, Point2 q);
 
-/// The sign of |x - u|^2 - |x - v|^2: negative where x is nearer to u.
-int bisector_side(Point2 u, Point2 v, Point2 x);
-
 /// Positive when the circumcentre of a, b, c lies left of the line from p to q, 0 on it.
 /// Requires: a, b, c are counter-clockwise and not on one line.
 int circumcentre_side(Point2 p, Point2 q, Point2 a, Point2 b, Point2 c);
+
+/// The same in space: positive when the circumcentre of a, b, c, d lies on the side of the plane
+/// through p, q, r from which they appear counter-clockwise.
+/// Requires: det[b-a, c-a, d-a] > 0.
+int circumcentre_side(const std::array<Point3, 3>& plane, const std::array<Point3, 4>& tet);
+
+/// Positive when d lies inside the smallest sphere through a, b, c, 0 on it.
+/// Requires: a, b, c are not on one line.
+int face_sphere_side(Point3 a, Point3 b, Point3 c, Point3 d);
 
 inline int angle_sign(Point2 apex, Point2 p, Point2 q) {
   // px qx + py qy is the determinant of (px, py) and (-qy, qx).

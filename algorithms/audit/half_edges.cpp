@@ -133,6 +133,21 @@ class Pairing {
   std::vector<std::uint64_t> apexes_;
 };
 
+// Marks the fan of triangles around the origin of `h`: to the right as far as it goes, which may be
+// all around, then to the left.
+void mark_fan(const HalfEdges& half_edges, Index h, std::vector<std::uint8_t>& marked) {
+  for (Index g = h; g != kNoIndex && marked[g] == 0; g = half_edges.turn_right(g)) marked[g] = 1;
+  for (Index g = half_edges.turn_left(h); g != kNoIndex && marked[g] == 0;
+       g = half_edges.turn_left(g))
+    marked[g] = 1;
+}
+
+// The root of the tree that t is in, halving the path on the way.
+Index root(std::vector<Index>& parent, Index t) {
+  while (parent[t] != t) t = parent[t] = parent[parent[t]];
+  return t;
+}
+
 }  // namespace
 
 HalfEdges pair_half_edges(Triangles triangles, std::span<const Segment> segments, Index nodes) {
@@ -146,6 +161,35 @@ HalfEdges pair_half_edges(Triangles triangles, std::span<const Segment> segments
     }
   }
   return pairing.take_result();
+}
+
+std::vector<std::uint8_t> count_fans(Triangles triangles, const HalfEdges& half_edges,
+                                     std::size_t nodes, std::uint64_t& total) {
+  std::vector<std::uint8_t> fans(nodes, 0), marked(half_edges.twin.size(), 0);
+  total = 0;
+  for (Index h = 0; h < marked.size(); ++h) {
+    if (marked[h] != 0) continue;
+    mark_fan(half_edges, h, marked);
+    std::uint8_t& count = fans[origin(triangles, h)];
+    if (count < 255) ++count;
+    ++total;
+  }
+  return fans;
+}
+
+// Triangles are united with their neighbours; the lowest of each set is its root.
+std::uint64_t count_components(const HalfEdges& half_edges) {
+  std::vector<Index> parent(half_edges.twin.size() / 3);
+  for (Index t = 0; t < parent.size(); ++t) parent[t] = t;
+  for (Index h = 0; h < half_edges.twin.size(); ++h) {
+    const Index twin = half_edges.twin[h];
+    if (twin == kNoIndex || twin < h) continue;
+    const Index a = root(parent, h / 3), b = root(parent, twin / 3);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  std::uint64_t components = 0;
+  for (Index t = 0; t < parent.size(); ++t) components += parent[t] == t;
+  return components;
 }
 
 }  // namespace wellspaced::audit

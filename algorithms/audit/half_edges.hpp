@@ -65,4 +65,13 @@ inline Index apex(std::span<const std::array<Index, 3>> triangles, Index h) {
 HalfEdges pair_half_edges(std::span<const std::array<Index, 3>> triangles,
                           std::span<const Segment> segments, Index nodes);
 
+/// For each node the number of fans that its triangles form, at most 255; total: over all nodes.
+/// Cost: linear.
+std::vector<std::uint8_t> count_fans(std::span<const std::array<Index, 3>> triangles,
+                                     const HalfEdges& half_edges, std::size_t nodes,
+                                     std::uint64_t& total);
+
+/// The number of sets of triangles that hang together by edges. Cost: close to linear.
+std::uint64_t count_components(const HalfEdges& half_edges);
+
 }  // namespace wellspaced::audit

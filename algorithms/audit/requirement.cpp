@@ -2,9 +2,11 @@
 
 #include <array>
 #include <charconv>
+#include <optional>
 #include <utility>
 
 #include "wellspaced/algorithms/audit/shape.hpp"
+#include "wellspaced/algorithms/audit/tet_shape.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -42,19 +44,48 @@ bool parse_bound(std::string_view text, double& bound) {
   return error == std::errc() && end == text.data() + text.size() && !text.empty();
 }
 
-bool is_broken_by(const Requirement& requirement, const TriangleShape& shape) {
-  const auto value = shape_value(shape, requirement.name);
-  return value && !requirement.holds(*value);
-}
+// The elements of a mesh with their shapes.
+struct NoElements {
+  static constexpr Item kItem = Item::kNone;
+  Index size() const { return 0; }
+  static std::optional<double> value(Index, std::string_view) { return std::nullopt; }
+  static bool measures(std::string_view) { return false; }
+};
 
-void list_triangles(const Requirement& requirement, const TriangleMesh& mesh, Check& check) {
-  check.item = Item::kTriangle;
-  check.violations = 0;
-  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+struct Triangles {
+  static constexpr Item kItem = Item::kTriangle;
+  const TriangleMesh& mesh;
+  Index size() const { return static_cast<Index>(mesh.triangles.size()); }
+  std::optional<double> value(Index t, std::string_view name) const {
     const auto& [a, b, c] = mesh.triangles[t];
-    if (is_broken_by(requirement, triangle_shape(mesh.points[a], mesh.points[b], mesh.points[c])))
-      check.violate({t});
+    return shape_value(triangle_shape(mesh.points[a], mesh.points[b], mesh.points[c]), name);
   }
+  static bool measures(std::string_view name) {
+    return shape_value(TriangleShape{}, name).has_value();
+  }
+};
+
+struct Tets {
+  static constexpr Item kItem = Item::kTet;
+  const TetMesh& mesh;
+  Index size() const { return static_cast<Index>(mesh.tets.size()); }
+  std::optional<double> value(Index t, std::string_view name) const {
+    const auto& [a, b, c, d] = mesh.tets[t];
+    const auto& p = mesh.points;
+    return shape_value(tet_shape({p[a], p[b], p[c], p[d]}), name);
+  }
+  static bool measures(std::string_view name) { return shape_value(TetShape{}, name).has_value(); }
+};
+
+template <class Elements>
+void list_elements(const Requirement& requirement, const Elements& elements, Check& check) {
+  check.item = Elements::kItem;
+  check.violations = 0;
+  for (Index t = 0; t < elements.size(); ++t) {
+    const auto value = elements.value(t, requirement.name);
+    if (value && !requirement.holds(*value)) check.violate({t});
+  }
+  if (check.pass()) check.violations = 1;  // broken by the rounding of the measure alone
 }
 
 Check bound_check(const Requirement& requirement, double value, std::optional<Index> level) {
@@ -67,16 +98,14 @@ Check bound_check(const Requirement& requirement, double value, std::optional<In
   return check;
 }
 
-void require_bound_of_measures(const Requirement& requirement, const TriangleMesh* mesh,
+template <class Elements>
+void require_bound_of_measures(const Requirement& requirement, const Elements& elements,
                                Report& report) {
   for (const Measure& measure : report.measures) {
     if (measure.name != requirement.name) continue;
     Check check = bound_check(requirement, measure.value, measure.level);
-    const bool of_triangles = shape_value({}, requirement.name).has_value();
-    if (!check.pass() && mesh != nullptr && of_triangles) {
-      list_triangles(requirement, *mesh, check);
-      if (check.pass()) check.violations = 1;  // broken by the rounding of the measure alone
-    }
+    if (!check.pass() && Elements::measures(requirement.name))
+      list_elements(requirement, elements, check);
     report.checks.push_back(std::move(check));
   }
 }
@@ -98,6 +127,19 @@ bool mark_required(std::string_view name, Report& report) {
     found = true;
   }
   return found;
+}
+
+template <class Elements>
+Status require_of(const Requirement& requirement, const Elements& elements, Report& report) {
+  if (requirement.relation == Relation::kPasses) {
+    if (mark_required(requirement.name, report) || !report.pass()) return Ok{};
+  } else {
+    const std::size_t before = report.checks.size();
+    require_bound_of_measures(requirement, elements, report);
+    if (report.checks.size() == before) require_bound_of_checks(requirement, report);
+    if (report.checks.size() > before || !report.pass()) return Ok{};
+  }
+  return Error{ErrorCode::kUsage, requirement.name + " is no check or measure of this input", {}};
 }
 
 }  // namespace
@@ -137,16 +179,16 @@ Result<Requirement> parse_requirement(std::string_view text) {
   return requirement;
 }
 
-Status require(const Requirement& requirement, const TriangleMesh* mesh, Report& report) {
-  if (requirement.relation == Relation::kPasses) {
-    if (mark_required(requirement.name, report) || !report.pass()) return Ok{};
-  } else {
-    const std::size_t before = report.checks.size();
-    require_bound_of_measures(requirement, mesh, report);
-    if (report.checks.size() == before) require_bound_of_checks(requirement, report);
-    if (report.checks.size() > before || !report.pass()) return Ok{};
-  }
-  return Error{ErrorCode::kUsage, requirement.name + " is no check or measure of this input", {}};
+Status require(const Requirement& requirement, const TriangleMesh& mesh, Report& report) {
+  return require_of(requirement, Triangles{mesh}, report);
+}
+
+Status require(const Requirement& requirement, const TetMesh& mesh, Report& report) {
+  return require_of(requirement, Tets{mesh}, report);
+}
+
+Status require(const Requirement& requirement, Report& report) {
+  return require_of(requirement, NoElements{}, report);
 }
 
 void require_all(Report& report) {

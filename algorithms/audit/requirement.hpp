@@ -27,12 +27,14 @@ struct Requirement {
 Result<Requirement> parse_requirement(std::string_view text);
 
 /// Marks the checks of that name as required; a bound becomes a required check named by its text,
-/// one for each level where the report has levels. For a measure of triangles (see TriangleShape)
-/// its violations are the triangles that break the bound; otherwise there is one at most.
-/// mesh: what the report is about, null if it is no triangle mesh.
+/// one for each level where the report has levels. For a measure of the elements of the mesh that
+/// the report is about (see TriangleShape, TetShape) its violations are the elements that break the
+/// bound; otherwise there is one at most.
 /// Errors: kUsage if the report has no check or measure of that name. A check that was not reached
 /// because the syntax is wrong is no error: the report fails anyway.
-Status require(const Requirement& requirement, const TriangleMesh* mesh, Report& report);
+Status require(const Requirement& requirement, const TriangleMesh& mesh, Report& report);
+Status require(const Requirement& requirement, const TetMesh& mesh, Report& report);
+Status require(const Requirement& requirement, Report& report);
 
 /// Marks all checks as required.
 void require_all(Report& report);

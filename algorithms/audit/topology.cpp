@@ -34,30 +34,6 @@ bool audit_node_data(const TriangleMesh& mesh, Report& report) {
   return check.pass();
 }
 
-// Marks the fan of triangles around the origin of `h`: to the right as far as it goes, which may be
-// all around, then to the left.
-void mark_fan(const HalfEdges& half_edges, Index h, std::vector<std::uint8_t>& marked) {
-  for (Index g = h; g != kNoIndex && marked[g] == 0; g = half_edges.turn_right(g)) marked[g] = 1;
-  for (Index g = half_edges.turn_left(h); g != kNoIndex && marked[g] == 0;
-       g = half_edges.turn_left(g))
-    marked[g] = 1;
-}
-
-// For each node the number of fans that its triangles form, at most 255.
-std::vector<std::uint8_t> count_fans(const TriangleMesh& mesh, const HalfEdges& half_edges,
-                                     std::uint64_t& total) {
-  std::vector<std::uint8_t> fans(mesh.points.size(), 0), marked(half_edges.twin.size(), 0);
-  total = 0;
-  for (Index h = 0; h < marked.size(); ++h) {
-    if (marked[h] != 0) continue;
-    mark_fan(half_edges, h, marked);
-    std::uint8_t& count = fans[origin(mesh.triangles, h)];
-    if (count < 255) ++count;
-    ++total;
-  }
-  return fans;
-}
-
 std::uint64_t count_boundary_loops(const HalfEdges& half_edges) {
   std::vector<std::uint8_t> marked(half_edges.twin.size(), 0);
   std::uint64_t loops = 0;
@@ -67,27 +43,6 @@ std::uint64_t count_boundary_loops(const HalfEdges& half_edges) {
     for (Index g = h; marked[g] == 0; g = half_edges.next_on_boundary(g)) marked[g] = 1;
   }
   return loops;
-}
-
-// The root of the tree that t is in, halving the path on the way.
-Index root(std::vector<Index>& parent, Index t) {
-  while (parent[t] != t) t = parent[t] = parent[parent[t]];
-  return t;
-}
-
-// Triangles are united with their neighbours; the lowest of each set is its root.
-std::uint64_t count_components(const HalfEdges& half_edges) {
-  std::vector<Index> parent(half_edges.twin.size() / 3);
-  for (Index t = 0; t < parent.size(); ++t) parent[t] = t;
-  for (Index h = 0; h < half_edges.twin.size(); ++h) {
-    const Index twin = half_edges.twin[h];
-    if (twin == kNoIndex || twin < h) continue;
-    const Index a = root(parent, h / 3), b = root(parent, twin / 3);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  std::uint64_t components = 0;
-  for (Index t = 0; t < parent.size(); ++t) components += parent[t] == t;
-  return components;
 }
 
 std::uint64_t count_boundary_edges(const HalfEdges& half_edges) {
@@ -179,7 +134,8 @@ void audit_topology(const TriangleMesh& mesh, const HalfEdges& half_edges, Repor
   list(report, "manifold_edges", Item::kEdge, half_edges.crowded_edges);
   list(report, "consistent_orientation", Item::kEdge, half_edges.disagreeing_edges);
   Counts counts;
-  const std::vector<std::uint8_t> fans = count_fans(mesh, half_edges, counts.fans);
+  const std::vector<std::uint8_t> fans =
+      count_fans(mesh.triangles, half_edges, mesh.points.size(), counts.fans);
   for (const std::uint8_t count : fans) counts.nodes += count > 0;
   counts.boundary_edges = count_boundary_edges(half_edges);
   counts.components = count_components(half_edges);

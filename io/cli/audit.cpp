@@ -11,6 +11,8 @@
 #include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/audit/requirement.hpp"
+#include "wellspaced/algorithms/audit/tet_audit.hpp"
+#include "wellspaced/algorithms/audit/tet_embedding.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
@@ -84,25 +86,34 @@ Result<Demands> read_demands(const Arguments& arguments) {
   return demands;
 }
 
-// Readers turn a mesh whose triangles are all clockwise, and say so.
-void turn_if_clockwise(TriangleMesh& mesh, const std::string& name, Session& session) {
-  if (!audit::is_clockwise(mesh)) return;
-  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  session.note(name + ": all triangles were clockwise and have been turned");
+// Readers turn a mesh whose elements are all the other way round, and say so.
+void turn_if_needed(Geometry& geometry, const std::string& name, Session& session) {
+  const bool clockwise = audit::is_clockwise(geometry.mesh);
+  const bool negative = audit::is_negative(geometry.solid);
+  if (clockwise)
+    for (auto& t : geometry.mesh.triangles) std::swap(t[1], t[2]);
+  if (negative)
+    for (auto& t : geometry.solid.tets) std::swap(t[2], t[3]);
+  if (clockwise) session.note(name + ": all triangles were clockwise and have been turned");
+  if (negative) session.note(name + ": all tetrahedra were negative and have been turned");
 }
 
-Status apply(const Demands& demands, const TriangleMesh* mesh, audit::Report& report) {
+// Makes checks required and adds those of bounds; about: the mesh, if the report is about one.
+template <class... About>
+Status apply(const Demands& demands, audit::Report& report, const About&... about) {
   if (demands.strict) audit::require_all(report);
   for (const audit::Requirement& requirement : demands.requirements)
-    if (Status status = audit::require(requirement, mesh, report); !status) return status;
+    if (Status status = audit::require(requirement, about..., report); !status) return status;
   return Ok{};
 }
 
-Status write_picture(const std::string& path, const TriangleMesh& mesh, const audit::Report& report,
+template <class Mesh>
+Status write_picture(const Demands& demands, const Mesh& mesh, const audit::Report& report,
                      Session& session) {
+  if (demands.vtu.empty()) return Ok{};
   VtkGrid grid = vtk_grid(mesh);
   mark_offenders(report, grid);
-  return session.outputs().add(path, [&](TextWriter& out) { write_vtu(out, grid); });
+  return session.outputs().add(demands.vtu, [&](TextWriter& out) { write_vtu(out, grid); });
 }
 
 // In Triangle's formats the .poly beside a mesh describes its whole boundary.
@@ -117,6 +128,24 @@ audit::Report report_on(const Error& invalid_input, Session& session) {
   return report;
 }
 
+audit::Report audit_triangles(const std::string& path, const Geometry& geometry,
+                              const Demands& demands) {
+  audit::MeshAuditOptions options;
+  if (demands.domain) options.domain = &*demands.domain;
+  if (!demands.domain) options.holes = geometry.holes;
+  if (is_triangle_set(path)) options.segments = audit::SegmentMeaning::kWholeBoundary;
+  return audit::audit_mesh(geometry.mesh, options);
+}
+
+// Completes the report on a mesh.
+template <class Mesh>
+Result<audit::Report> finish(audit::Report report, const Mesh& mesh, const Demands& demands,
+                             Session& session) {
+  if (Status status = apply(demands, report, mesh); !status) return status.error();
+  if (Status status = write_picture(demands, mesh, report, session); !status) return status.error();
+  return report;
+}
+
 Result<audit::Report> audit_file(const std::string& path, const Demands& demands,
                                  Session& session) {
   auto geometry = read_geometry(path);
@@ -124,20 +153,12 @@ Result<audit::Report> audit_file(const std::string& path, const Demands& demands
     return report_on(geometry.error(), session);
   if (!geometry) return geometry.error();
   for (const std::string& note : geometry->notes) session.note(note);
-  if (geometry->dimension != 2 || !geometry->has_cells())
-    return Error{ErrorCode::kUnreadable, display_name(path) + ": holds no triangles to audit", {}};
-  TriangleMesh& mesh = geometry->mesh;
-  turn_if_clockwise(mesh, display_name(path), session);
-  audit::MeshAuditOptions options;
-  if (demands.domain) options.domain = &*demands.domain;
-  if (!demands.domain) options.holes = geometry->holes;
-  if (is_triangle_set(path)) options.segments = audit::SegmentMeaning::kWholeBoundary;
-  audit::Report report = audit::audit_mesh(mesh, options);
-  if (Status status = apply(demands, &mesh, report); !status) return status.error();
-  if (!demands.vtu.empty())
-    if (Status status = write_picture(demands.vtu, mesh, report, session); !status)
-      return status.error();
-  return report;
+  if (!geometry->has_cells())
+    return Error{ErrorCode::kUnreadable, display_name(path) + ": holds no mesh to audit", {}};
+  turn_if_needed(*geometry, display_name(path), session);
+  if (geometry->dimension == 2)
+    return finish(audit_triangles(path, *geometry, demands), geometry->mesh, demands, session);
+  return finish(audit::audit_tet_mesh(geometry->solid), geometry->solid, demands, session);
 }
 
 bool is_directory(const std::string& path) {
@@ -166,7 +187,7 @@ Result<audit::Report> audit_directory(const std::string& path, const Demands& de
   if (!input) return input.error();
   for (const std::string& note : input->notes) session.note(note);
   audit::Report report = audit::audit_hierarchy(input->levels, options_for(*input, demands));
-  if (Status status = apply(demands, nullptr, report); !status) return status.error();
+  if (Status status = apply(demands, report); !status) return status.error();
   return report;
 }
 

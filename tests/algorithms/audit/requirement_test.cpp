@@ -37,14 +37,14 @@ TEST(Requirement, MakesACheckCount) {
   auto report = audit::audit_mesh(mesh);
   ASSERT_TRUE(report.pass());
   ASSERT_FALSE(report.check("gabriel")->pass());
-  EXPECT_TRUE(audit::require(parse_requirement("gabriel").value(), &mesh, report).ok());
+  EXPECT_TRUE(audit::require(parse_requirement("gabriel").value(), mesh, report).ok());
   EXPECT_FALSE(report.pass());
 }
 
 TEST(Requirement, ListsTheTrianglesThatBreakABound) {
   const TriangleMesh mesh = test::random_mesh(200, 1);
   auto report = audit::audit_mesh(mesh);
-  ASSERT_TRUE(audit::require(parse_requirement("min_angle>=20").value(), &mesh, report).ok());
+  ASSERT_TRUE(audit::require(parse_requirement("min_angle>=20").value(), mesh, report).ok());
   const auto* check = report.check("min_angle>=20");
   ASSERT_NE(check, nullptr);
   EXPECT_FALSE(report.pass());
@@ -62,19 +62,19 @@ TEST(Requirement, ListsTheTrianglesThatBreakABound) {
 TEST(Requirement, ComparesViolationsOfAChecksName) {
   const TriangleMesh mesh = test::random_mesh(200, 1);
   auto report = audit::audit_mesh(mesh);
-  ASSERT_TRUE(audit::require(parse_requirement("gabriel<=100000").value(), &mesh, report).ok());
+  ASSERT_TRUE(audit::require(parse_requirement("gabriel<=100000").value(), mesh, report).ok());
   EXPECT_TRUE(report.pass());
-  ASSERT_TRUE(audit::require(parse_requirement("gabriel<=1").value(), &mesh, report).ok());
+  ASSERT_TRUE(audit::require(parse_requirement("gabriel<=1").value(), mesh, report).ok());
   EXPECT_FALSE(report.pass());
 }
 
 TEST(Requirement, MustNameSomethingThatIsThere) {
   const TriangleMesh mesh = test::random_mesh(50, 1);
   auto report = audit::audit_mesh(mesh);
-  const Status status = audit::require(parse_requirement("min_angel>=3").value(), &mesh, report);
+  const Status status = audit::require(parse_requirement("min_angel>=3").value(), mesh, report);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::kUsage);
-  EXPECT_FALSE(audit::require(parse_requirement("frobnicate").value(), &mesh, report).ok());
+  EXPECT_FALSE(audit::require(parse_requirement("frobnicate").value(), mesh, report).ok());
 }
 
 }  // namespace

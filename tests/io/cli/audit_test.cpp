@@ -135,6 +135,28 @@ TEST(AuditCommand, ReportsWhatItCannotRead) {
   EXPECT_EQ(run_program({"audit", square.name}).exit_code, 3);
 }
 
+TEST(AuditCommand, JudgesTetrahedra) {
+  const TemporaryDirectory directory;
+  const std::string name = directory.write("tet.node",
+                                           "5 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
+                                           "4 0 0 1\n5 1 1 1\n");
+  directory.write("tet.ele", "2 4 0\n1 1 2 3 4\n2 2 3 4 5\n");
+  const auto run = run_program({"audit", name, "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  EXPECT_TRUE(contains(run.out, "\"tets\":2,"));
+  const auto bound = run_program({"audit", name, "--require", "min_dihedral>=60", "--json", "-"});
+  EXPECT_EQ(bound.exit_code, 1);
+  EXPECT_TRUE(contains(bound.out, "\"item\":\"tet\",\"first\":[0],")) << bound.out;
+  directory.write("tet.ele", "2 4 0\n1 1 2 3 4\n2 2 3 5 4\n");
+  const std::string picture = directory / "out.vtu";
+  EXPECT_EQ(run_program({"audit", name, "--vtu", picture}).exit_code, 1);
+  EXPECT_TRUE(contains(test::read_bytes(picture), "Name=\"no_inverted\""));
+  directory.write("tet.ele", "2 4 0\n1 1 2 4 3\n2 2 3 5 4\n");
+  const auto turned = run_program({"audit", name});
+  EXPECT_EQ(turned.exit_code, 0);
+  EXPECT_TRUE(contains(turned.err, "turned"));
+}
+
 TEST(AuditCommand, JudgesADirectoryOfLevels) {
   const TemporaryDirectory directory;
   const std::string mesh = directory / "annulus", levels = directory / "levels";

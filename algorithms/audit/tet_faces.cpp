@@ -1,0 +1,177 @@
+#include "wellspaced/algorithms/audit/tet_faces.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace wellspaced::audit {
+namespace {
+
+// A face of a tet or a facet: its nodes in ascending order, and whether an odd permutation brought
+// them there. item: a face 4t + i or, from 4 * tets on, a facet.
+struct Entry {
+  Index middle, high;
+  Index item;
+  bool odd;
+
+  bool same_place(const Entry& other) const { return middle == other.middle && high == other.high; }
+  friend bool operator<(const Entry& a, const Entry& b) {
+    if (a.middle != b.middle) return a.middle < b.middle;
+    return a.high != b.high ? a.high < b.high : a.item < b.item;
+  }
+};
+
+// Sorts three nodes; returns whether that was an odd permutation.
+bool sort_nodes(Face& nodes) {
+  bool odd = false;
+  const auto order = [&](int i, int j) {
+    if (nodes[j] < nodes[i]) std::swap(nodes[i], nodes[j]), odd = !odd;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return odd;
+}
+
+// Everything that lies on faces, listed by the lowest node.
+class FaceLists {
+ public:
+  FaceLists(Tets tets, std::span<const TetMesh::Facet> facets, Index nodes)
+      : first_(nodes + 1, 0), entries_(4 * tets.size() + facets.size()) {
+    for_each(tets, facets, [&](Index low, const Entry&) { ++first_[low]; });
+    Index sum = 0;
+    for (Index& first : first_) first = sum += first;
+    for_each(tets, facets, [&](Index low, const Entry& e) { entries_[--first_[low]] = e; });
+  }
+
+  std::span<Entry> sorted_from(Index low) {
+    const std::span<Entry> list(entries_.data() + first_[low], entries_.data() + first_[low + 1]);
+    std::sort(list.begin(), list.end());
+    return list;
+  }
+
+ private:
+  template <class Visit>
+  static void for_each(Tets tets, std::span<const TetMesh::Facet> facets, Visit visit) {
+    const auto tell = [&](Face nodes, Index item) {
+      const bool odd = sort_nodes(nodes);
+      visit(nodes[0], Entry{nodes[1], nodes[2], item, odd});
+    };
+    const auto faces = static_cast<Index>(4 * tets.size());
+    for (Index f = 0; f < faces; ++f) tell(face_nodes(tets, f), f);
+    for (Index i = 0; i < facets.size(); ++i) tell(facets[i].points, faces + i);
+  }
+
+  std::vector<Index> first_;
+  std::vector<Entry> entries_;
+};
+
+// Turns the sorted lists, face by face, into the result.
+class FacePairing {
+ public:
+  FacePairing(Tets tets, std::span<const TetMesh::Facet> facets) : tets_(tets), facets_(facets) {
+    faces_ = static_cast<Index>(4 * tets.size());
+    result_.twin.assign(faces_, kNoIndex);
+    result_.constrained.assign(faces_, 0);
+    result_.facet_face.assign(facets.size(), kNoIndex);
+  }
+
+  // All that lies on one face: faces of tets first, because their items are lower.
+  void take(std::span<const Entry> entries) {
+    const auto is_face = [&](const Entry& e) { return e.item < faces_; };
+    const auto split = std::partition_point(entries.begin(), entries.end(), is_face);
+    const std::span<const Entry> sides(entries.begin(), split), facets(split, entries.end());
+    take_facets(facets, sides);
+    if (sides.empty()) return;
+    ++result_.faces;
+    if (sides.size() > 1) pair_up(sides);
+  }
+
+  TetFaces take_result() {
+    for (auto* list :
+         {&result_.duplicate_tets, &result_.duplicate_facets, &result_.conflicting_facets}) {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void take_facets(std::span<const Entry> facets, std::span<const Entry> sides) {
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      const Index facet = facets[i].item - faces_;
+      if (!sides.empty()) result_.facet_face[facet] = sides[0].item;
+      for (const Entry& side : sides) result_.constrained[side.item] = 1;
+      if (i == 0) continue;
+      result_.duplicate_facets.push_back(facet);
+      if (facets_[facet].marker != facets_[facets[0].item - faces_].marker)
+        result_.conflicting_facets.push_back(facet);
+    }
+  }
+
+  void pair_up(std::span<const Entry> sides) {
+    find_duplicates(sides);
+    if (sides.size() > 2) return list_face(result_.crowded_faces, sides[0].item);
+    if (sides[0].odd == sides[1].odd) return list_face(result_.disagreeing_faces, sides[0].item);
+    result_.twin[sides[0].item] = sides[1].item;
+    result_.twin[sides[1].item] = sides[0].item;
+  }
+
+  void list_face(std::vector<Index>& list, Index f) const {
+    for (const Index v : face_nodes(tets_, f)) list.push_back(v);
+  }
+
+  // Tets on one face have the same nodes if they have the same apex.
+  void find_duplicates(std::span<const Entry> sides) {
+    apexes_.clear();
+    for (const Entry& side : sides)
+      apexes_.push_back(std::uint64_t{face_apex(tets_, side.item)} << 32 | side.item / 4);
+    std::sort(apexes_.begin(), apexes_.end());
+    for (std::size_t i = 1; i < apexes_.size(); ++i)
+      if (apexes_[i - 1] >> 32 == apexes_[i] >> 32)
+        result_.duplicate_tets.push_back(static_cast<Index>(apexes_[i]));
+  }
+
+  Tets tets_;
+  std::span<const TetMesh::Facet> facets_;
+  Index faces_ = 0;
+  TetFaces result_;
+  std::vector<std::uint64_t> apexes_;
+};
+
+}  // namespace
+
+TetFaces pair_tet_faces(Tets tets, std::span<const TetMesh::Facet> facets, Index nodes) {
+  FaceLists lists(tets, facets, nodes);
+  FacePairing pairing(tets, facets);
+  for (Index low = 0; low < nodes; ++low) {
+    const auto list = lists.sorted_from(low);
+    for (std::size_t i = 0, end = 0; i < list.size(); i = end) {
+      while (end < list.size() && list[end].same_place(list[i])) ++end;
+      pairing.take(list.subspan(i, end - i));
+    }
+  }
+  return pairing.take_result();
+}
+
+std::uint64_t count_tet_edges(Tets tets, Index nodes) {
+  std::vector<Index> first(nodes + 1, 0);
+  const auto for_each = [&](auto visit) {
+    for (const auto& tet : tets)
+      for (int i = 0; i < 3; ++i)
+        for (int j = i + 1; j < 4; ++j) visit(std::min(tet[i], tet[j]), std::max(tet[i], tet[j]));
+  };
+  for_each([&](Index low, Index) { ++first[low]; });
+  Index sum = 0;
+  for (Index& f : first) f = sum += f;
+  std::vector<Index> highs(sum);
+  for_each([&](Index low, Index high) { highs[--first[low]] = high; });
+  std::uint64_t edges = 0;
+  for (Index low = 0; low < nodes; ++low) {
+    const auto begin = highs.begin() + first[low], end = highs.begin() + first[low + 1];
+    std::sort(begin, end);
+    edges += static_cast<std::uint64_t>(std::unique(begin, end) - begin);
+  }
+  return edges;
+}
+
+}  // namespace wellspaced::audit
