@@ -51,7 +51,7 @@ class ReportPage {
     document.getElementById('mesh-legend').append(
         item('below-10', 'triangles with an angle of at most 10° (ringed where they are tiny)'),
         item('below-20', 'at most 20°'),
-        element('span', {class: 'screen-only'}, 'Both pictures move together: drag; click, then scroll to zoom.'));
+        element('span', {class: 'screen-only'}, 'Drag to move; click, then scroll to zoom.'));
   }
 
   connectControls() {

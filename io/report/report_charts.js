@@ -24,24 +24,21 @@ function seriesSvg({values, k, dashed}, x, y) {
       + at.map(([u, v]) => markSvg(k, u, v, colour, dashed)).join('');
 }
 
-function axesSvg(x, y, xName, nameX, nameY) {
+function axesSvg({x, y, xName, nameX, nameY, anchorX = () => 'middle'}) {
   const {width, height, left, right, top, bottom} = kChart;
-  const text = (u, v, anchor, words, extra = '') =>
-      `<text x="${u}" y="${v}" text-anchor="${anchor}" fill="var(--soft)" ${extra}>${words}</text>`;
-  // Words at the ends of the axis stay within it; numbers stand below their place.
-  const anchor = i => typeof nameX(x.ticks[0]) !== 'string' || nameX(x.ticks[0]).length < 4 ? 'middle'
-      : i === 0 ? 'start' : 'end';
+  const text = (u, v, anchor, words) =>
+      `<text x="${u}" y="${v}" text-anchor="${anchor}" fill="var(--soft)">${words}</text>`;
   return y.ticks.map(v => `<line x1="${left}" x2="${width - right}" y1="${y.at(v)}" y2="${y.at(v)}" `
       + `stroke="var(--rule)"/>` + text(left - 6, y.at(v) + 4, 'end', nameY(v))).join('')
-      + x.ticks.map((u, i) => text(x.at(u), height - bottom + 17, anchor(i), nameX(u))).join('')
+      + x.ticks.map((u, i) => text(x.at(u), height - bottom + 17, anchorX(i), nameX(u))).join('')
       + text((left + width - right) / 2, height - 6, 'middle', xName);
 }
 
-// chart: {series: [{values: [[x, y|null]], k, dashed}], x, y, xName, nameX, nameY, label}
-function chartSvg({series, x, y, xName, nameX, nameY, label}) {
+// chart: {series: [{values: [[x, y|null]], k, dashed}], x, y, xName, nameX, nameY, anchorX, label}
+function chartSvg(chart) {
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${kChart.width} ${kChart.height}" role="img" `
-      + `aria-label="${label}">${axesSvg(x, y, xName, nameX, nameY)}`
-      + series.map(s => seriesSvg(s, x, y)).join('') + '</svg>';
+      + `aria-label="${chart.label}">${axesSvg(chart)}`
+      + chart.series.map(series => seriesSvg(series, chart.x, chart.y)).join('') + '</svg>';
 }
 
 const plotX = (low, high, ticks) =>
@@ -79,7 +76,7 @@ function angleChart({methods}) {
   };
 }
 
-// levels: for each method the geometry of the level that is shown.
+// geometries: for each method that of the level that is shown.
 function keptChart({methods}, tenths, geometries) {
   const series = methods.map((method, k) => ({k, geometry: geometries[k]})).filter(s => s.geometry)
       .map(({k, geometry}) => ({k, values: sharesKept(tenths, geometry).map((share, i) => [i, share])}));
@@ -91,6 +88,7 @@ function keptChart({methods}, tenths, geometries) {
     x: plotX(0, tenths.length - 1, [0, tenths.length - 1]),
     xName: 'tenths of the nodes by edge length',
     nameX: k => k === 0 ? 'finest' : 'coarsest',
+    anchorX: k => k === 0 ? 'start' : 'end',
     y: linearScale(0, top, plotBottom, kChart.top, [0, 0.25, 0.5, 0.75, 1].map(part => part * top)),
     nameY: v => Number((100 * v).toFixed(1)) + '%',
   };

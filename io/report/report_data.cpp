@@ -213,8 +213,10 @@ void write_statistics(JsonWriter& json, const LevelStatistics& s) {
   write_optional(json, "interior_min", s.angles.interior_min_deg);
   write_optional(json, "boundary_min", s.angles.boundary_min_deg);
   write_optional(json, "max", s.angles.max_deg);
-  json.field("interior_le_10", s.angles.interior_le_10);
-  json.field("boundary_le_10", s.angles.boundary_le_10);
+  if (s.angles.max_deg) {
+    json.field("interior_le_10", s.angles.interior_le_10);
+    json.field("boundary_le_10", s.angles.boundary_le_10);
+  }
   write_optional(json, "gradation", s.gradation);
   write_mean_and_max(json, "intersection", s.intersection);
   write_mean_and_max(json, "path_depth", s.path_depth);
@@ -266,7 +268,7 @@ std::string report_data(const Report& report) {
   renumber_along_curve(drawn);
   std::vector<std::string> geometries;
   JsonWriter json;
-  json.begin_object().field("title", report.title);
+  json.begin_object();
   write_parameters(json, report.parameters);
   write_methods(json, report, drawn, geometries);
   json.key("points");

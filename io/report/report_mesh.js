@@ -4,16 +4,14 @@
 // Where all pictures look: the centre, and how many units of length the narrower side shows.
 class View {
   constructor(report) {
-    this.points = report.points;
     this.listeners = [];
     this.whole = boxOf(report.points, 0);
     this.show(this.whole);
   }
   show({x, y, width}) {
     Object.assign(this, {x, y, width});
-    this.changed();
+    this.listeners.forEach(listener => listener());
   }
-  changed() { this.listeners.forEach(listener => listener()); }
   move(dx, dy) { this.show({x: this.x + dx, y: this.y + dy, width: this.width}); }
   // Zooms so that the point (x, y) stays where it is on the screen.
   zoom(factor, x = this.x, y = this.y) {
@@ -77,6 +75,7 @@ function describe(geometry, points, frame) {
     const a = triangles[3 * t], b = triangles[3 * t + 1], c = triangles[3 * t + 2];
     if (hidden(a, b, c)) continue;
     scene[angleClass(angles[t])].push(a, b, c);
+    // Two triangles run through an inner edge in opposite ways; boundary edges are in the outline.
     for (const [p, q] of [[a, b], [b, c], [c, a]]) if (p < q) scene.edges.push(p, q);
     if (angles[t] <= 10 && extent([px[a], px[b], px[c]]) + extent([py[a], py[b], py[c]]) < 24)
       scene.tiny.push([(px[a] + px[b] + px[c]) / 3, (py[a] + py[b] + py[c]) / 3]);
@@ -256,7 +255,8 @@ function listenToPointer(canvas, panel) {
     const frame = panel.frame(), box = canvas.getBoundingClientRect();
     const x = panel.view.x + (event.clientX - box.left - frame.width / 2) / frame.scale;
     const y = panel.view.y - (event.clientY - box.top - frame.height / 2) / frame.scale;
-    panel.view.zoom(2 ** (event.deltaY / 300), x, y);
+    const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1);
+    panel.view.zoom(2 ** (pixels / 300), x, y);
   }, {passive: false});
 }
 

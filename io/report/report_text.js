@@ -92,12 +92,16 @@ function headline(report, levels) {
   return `${names} coarsening of ${count(report.methods[0].levels[0].statistics.nodes)} nodes`;
 }
 
+// How many times longer edges are in the coarsest tenth of the input than in the finest.
+const spreadOf = tenths => tenths.length < 10 ? 1 : tenths[9].size / tenths[0].size;
+const kNearlyUniform = 1.5;
+
 function introduction({methods}, tenths) {
   const {nodes, triangles} = methods[0].levels[0].statistics;
-  const spread = tenths.length ? tenths[tenths.length - 1].size / tenths[0].size : 1;
+  const spread = spreadOf(tenths);
   return `${methods.length > 1 ? 'All sequences start' : 'The sequence starts'} from the same mesh of `
       + `${count(nodes)} nodes and ${count(triangles)} triangles`
-      + (spread > 1.5 ? `; its edges are some ${factor(spread).slice(1)} times longer where it is coarse `
+      + (spread > kNearlyUniform ? `; its edges are some ${factor(spread).slice(1)} times longer where it is coarse `
                         + 'than where it is fine. ' : ', nearly uniform in size. ')
       + 'Each level is a mesh on some of the nodes of the level before, down to the few that hold the '
       + 'shape of the domain. In these last levels that shape decides the angles, not the method.';
@@ -105,7 +109,7 @@ function introduction({methods}, tenths) {
 
 function keptSentence(method, tenths) {
   const geometry = method.levels[1]?.geometry;
-  if (!geometry || tenths.length < 10) return '';
+  if (!geometry || spreadOf(tenths) <= kNearlyUniform) return '';
   const shares = sharesKept(tenths, geometry);
   return ` Level 1 keeps ${percent(shares[0])} of the nodes where the mesh is finest, `
       + `${percent(shares[9])} where it is coarsest.`;

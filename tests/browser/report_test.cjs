@@ -27,6 +27,8 @@ before(async () => {
   runs = JSON.parse(run('coarsen', file('wing'), '--method', 'function,mis', '--stats', 'full',
                         '--report', file('both.html'), '--json', '-')).runs;
   run('coarsen', file('wing'), '--report', file('one.html'));
+  run('generate', 'grid', '--nx', '30', '--ny', '20', '-o', file('grid'));
+  run('coarsen', file('grid'), '--method', 'function,mis', '--stats', 'none', '--report', file('grid.html'));
   browser = await chromium.launch({executablePath: kChromium, args: kArguments});
 });
 
@@ -300,4 +302,12 @@ test('one method makes a report, too', async () => {
   assert.equal((await shareDrawn()).length, 1);
   assert.ok(!await page.locator('#match').isVisible());
   assert.match(await page.locator('#lead .headline').textContent(), /Function-based coarsening of/);
+});
+
+test('a uniform mesh without measured angles makes a report, too', async () => {
+  await open('grid.html');
+  for (const share of await shareDrawn()) assert.ok(share > 0.02);
+  assert.match(await page.locator('#lead').textContent(), /600 nodes .* nearly uniform in size/);
+  assert.deepEqual(await page.locator('table').first().locator('thead tr').last().locator('th').allTextContents(),
+                   ['level', 'nodes', 'triangles', 'boundary edges']);
 });

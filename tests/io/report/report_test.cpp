@@ -81,6 +81,9 @@ TEST(ReportData, LeavesOutWhatWasNotMeasured) {
   const std::string data = report_data(report_of(mesh));
   EXPECT_NE(data.find("\"interior_min\":null,\"boundary_min\":45,\"max\":90"), data.npos) << data;
   EXPECT_EQ(data.find("intersection"), data.npos);
+  Report report = report_of(mesh);
+  report.methods[0].levels[0].statistics = {};
+  EXPECT_EQ(report_data(report).find("le_10"), data.npos) << "no angles, no counts of them";
 }
 
 TEST(ReportHtml, IsOnePageThatLoadsNothing) {
