@@ -5,6 +5,7 @@
 #include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
+#include "wellspaced/algorithms/generate/points3.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/text/numbers.hpp"
@@ -13,12 +14,13 @@
 namespace wellspaced::cli {
 namespace {
 
-constexpr std::array<Option, 8> kOptions = {{
+constexpr std::array<Option, 9> kOptions = {{
     {"--nodes", "N", "number of nodes or points (default 20000)"},
     {"--grading", "OCTAVES", "crack, annulus, airfoil, spiral: spacing grows by 2^OCTAVES"},
     {"--boundary", "", "crack, annulus, airfoil: the boundary alone, as a domain"},
-    {"--nx", "N", "grid, lattice: nodes in a row (default 1000)"},
-    {"--ny", "N", "grid, lattice: nodes in a column (default 1000)"},
+    {"--nx", "N", "grid, lattice: nodes in a row (default 1000; lattice3: 50)"},
+    {"--ny", "N", "grid, lattice: nodes in a column (default 1000; lattice3: 50)"},
+    {"--nz", "N", "lattice3: layers (default 50)"},
     {"--aspect", "A", "grid: height of a cell of width 1 (default 1)"},
     {"--diagonals", "RULE", "grid: slash (default), alternating, random or mixed:P"},
     {"--shuffle", "", "point sets: in random order"},
@@ -102,21 +104,51 @@ Result<Geometry> make_graded(const Request& request) {
   return to_geometry(std::move(*mesh));
 }
 
+Geometry points_geometry(std::vector<Point2> points) {
+  Geometry geometry;
+  geometry.mesh.points = std::move(points);
+  return geometry;
+}
+
+Geometry points_geometry(std::vector<Point3> points) {
+  Geometry geometry;
+  geometry.dimension = 3;
+  geometry.solid.points = std::move(points);
+  return geometry;
+}
+
 // Makes the points once the options are known to be right.
 template <class Make>
 Result<Geometry> make_points(const Request& request, Make make) {
   if (Status status = request.arguments.status(); !status) return status.error();
-  Geometry geometry;
-  geometry.mesh.points = make();
-  if (request.arguments.has("--shuffle")) shuffle_points(geometry.mesh.points, request.seed());
-  return geometry;
+  auto points = make();
+  if (request.arguments.has("--shuffle")) shuffle_points(points, request.seed());
+  return points_geometry(std::move(points));
+}
+
+void check_product(const Request& request, std::initializer_list<std::size_t> counts) {
+  double product = 1;
+  for (const std::size_t count : counts) product *= static_cast<double>(count);
+  if (product > kMostPoints)
+    request.arguments.refuse("--nx", "times the other numbers is more than 2^28 points");
 }
 
 Result<Geometry> make_lattice(const Request& request) {
   const std::size_t nx = request.count("--nx", 1000), ny = request.count("--ny", 1000);
-  if (static_cast<double>(nx) * static_cast<double>(ny) > kMostPoints)
-    request.arguments.refuse("--nx", "times --ny is more than 2^28 points");
+  check_product(request, {nx, ny});
   return make_points(request, [&] { return grid_points(nx, ny); });
+}
+
+Result<Geometry> make_lattice3(const Request& request) {
+  const std::size_t nx = request.count("--nx", 50), ny = request.count("--ny", 50),
+                    nz = request.count("--nz", 50);
+  check_product(request, {nx, ny, nz});
+  return make_points(request, [&] { return lattice_points3(nx, ny, nz); });
+}
+
+// 100 points a turn, and a hundredth of the radius between turns.
+Result<Geometry> make_helix3(const Request& request) {
+  return make_points(request, [n = request.nodes()] { return helix_points3(n, 100, 0.01); });
 }
 
 Result<Geometry> make_spiral(const Request& request) {
@@ -128,7 +160,7 @@ Result<Geometry> make_spiral(const Request& request) {
 constexpr std::string_view kGraded = " --nodes --grading --boundary ";
 constexpr std::string_view kPoints = " --nodes --shuffle ";
 
-constexpr std::array<Kind, 12> kKinds = {{
+constexpr std::array<Kind, 18> kKinds = {{
     {"grid", " --nx --ny --aspect --diagonals ", make_grid},
     {"crack", kGraded, make_graded<GradedDomain::kCrack>},
     {"annulus", kGraded, make_graded<GradedDomain::kAnnulus>},
@@ -160,6 +192,24 @@ constexpr std::array<Kind, 12> kKinds = {{
      [](const Request& r) {
        return make_points(r, [n = r.nodes(), &r] { return repeated_points(n, 10, r.seed()); });
      }},
+    {"box3", kPoints,
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes(), &r] { return box_points3(n, r.seed()); });
+     }},
+    {"lattice3", " --nx --ny --nz --shuffle ", make_lattice3},
+    {"sphere3", kPoints,
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes(), &r] { return sphere_points3(n, r.seed()); });
+     }},
+    {"moment3", kPoints,
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes()] { return moment_points3(n); });
+     }},
+    {"lines3", kPoints,  // half of them on each
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes()] { return line_points3(n / 2); });
+     }},
+    {"helix3", kPoints, make_helix3},
 }};
 
 std::string names_of_kinds() {
@@ -230,7 +280,8 @@ const Command kGenerate = {
     .operands = "KIND",
     .summary =
         "make a test mesh (grid, crack, annulus, airfoil) or point set (random, clusters, "
-        "circle, spiral, lattice, parabola, collinear, copies)",
+        "circle, spiral, lattice, parabola, collinear, copies; in space box3, lattice3, sphere3, "
+        "moment3, lines3, helix3)",
     .least_operands = 1,
     .most_operands = 1,
     .options = kOptions,

@@ -65,6 +65,23 @@ TEST(Generate, MakesEachPointSet) {
   }
 }
 
+TEST(Generate, MakesEachPointSetOfSpace) {
+  for (const std::string kind : {"box3", "sphere3", "moment3", "lines3", "helix3"}) {
+    const ProgramRun run =
+        run_program({"generate", kind, "--nodes", "60", "-o", "-", "--format", "xyz"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 60) << kind;
+    EXPECT_EQ(std::count(run.out.begin(), run.out.end(), ' '), 120) << kind;
+  }
+  const TemporaryDirectory directory;
+  const ProgramRun run = run_program({"generate", "lattice3", "--nx", "2", "--ny", "3", "--nz", "4",
+                                      "--shuffle", "-o", directory / "l.node"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Geometry written = read_geometry(directory / "l.node").value();
+  EXPECT_EQ(written.dimension, 3);
+  EXPECT_EQ(written.solid.points.size(), 24u);
+}
+
 TEST(Generate, ShufflesPointsBySeed) {
   const auto lattice = [](std::vector<std::string> more) {
     std::vector<std::string> words = {"generate", "lattice",  "--nx", "9",  "--ny",
@@ -110,6 +127,8 @@ TEST(Generate, RefusesWhatItCannotMakeAndWritesNothing) {
   expect_usage({"grid", "--diagonals", "mixed:"}, "--diagonals");
   expect_usage({"grid", "--diagonals", "mixed:1.5"}, "--diagonals");
   expect_usage({"lattice", "--nx", "100000", "--ny", "100000"}, "2^28");
+  expect_usage({"lattice3", "--nx", "1000", "--ny", "1000", "--nz", "1000"}, "2^28");
+  expect_usage({"box3", "--nz", "3"}, "--nz is not for box3");
   expect_usage({"airfoil", "--nodes", "10"}, "300");
   expect_usage({"airfoil", "--grading", "99"}, "16 octaves");
   expect_usage({"annulus", "--nodes", "500", "--grading", "12"}, "grading");
