@@ -55,7 +55,8 @@ class BoundedSearch {
     relax(start, 0, 0);
     while (!heap_.empty()) {
       std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-      const auto [at, v] = heap_.back();
+      const double at = heap_.back().first;
+      const Index v = heap_.back().second;
       heap_.pop_back();
       if (at != label_[v].distance) continue;
       const unsigned edges = label_[v].edges;

@@ -208,8 +208,9 @@ class SolidProof {
         if (const int sign = sign_at(corner); sign != 0) return sign;
       return 0;
     };
-    for (const auto& [u, v] : {std::pair{a, b}, {b, c}, {c, a}})
-      if (sign_near([&](Point3 p) { return orient2d(u, v, seen(p)); }) != facing) return 0;
+    for (const auto& edge : {std::pair{a, b}, {b, c}, {c, a}})
+      if (sign_near([&](Point3 p) { return orient2d(edge.first, edge.second, seen(p)); }) != facing)
+        return 0;
     const int below = sign_near([&](Point3 p) { return orient3d(face[0], face[1], face[2], p); });
     return below == facing ? facing : 0;
   }

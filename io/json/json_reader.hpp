@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "wellspaced/kernel/result.hpp"
@@ -17,11 +16,17 @@ struct JsonValue {
   Kind kind = Kind::kNull;
   double number = 0;
   std::string text;
-  std::vector<JsonValue> items;                            ///< of an array
-  std::vector<std::pair<std::string, JsonValue>> members;  ///< of an object, in order
+  struct Member;
+  std::vector<JsonValue> items;  ///< of an array
+  std::vector<Member> members;   ///< of an object, in order
 
   /// The member of that name, null if there is none or this is no object.
   const JsonValue* find(std::string_view name) const;
+};
+
+struct JsonValue::Member {
+  std::string name;
+  JsonValue value;
 };
 
 /// Parses one JSON text (RFC 8259), at most 64 levels deep. Numbers must be finite doubles; of

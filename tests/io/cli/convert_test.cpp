@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "tests/support/json_reader.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 
 namespace wellspaced {
 namespace {
 
-using test::JsonReader;
 using test::read_bytes;
 using test::run_program;
 using test::TemporaryDirectory;
@@ -45,11 +44,12 @@ TEST(Convert, ReportsCountsAsJson) {
   const auto run = run_program(
       {"convert", write_square(directory), "/dev/null", "--format", "vtu", "--json", "-"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  const auto json = JsonReader::read(run.out);
-  ASSERT_TRUE(json.has_value()) << run.out;
-  EXPECT_EQ((*json)["points"].number, 4);
-  EXPECT_EQ((*json)["triangles"].number, 2);
-  EXPECT_EQ((*json)["segments"].number, 4);
+  const auto tree = parse_json(run.out, "stdout");
+  ASSERT_TRUE(tree.ok()) << run.out;
+  const test::JsonView json(&*tree);
+  EXPECT_EQ(json["points"].number(), 4);
+  EXPECT_EQ(json["triangles"].number(), 2);
+  EXPECT_EQ(json["segments"].number(), 4);
 }
 
 TEST(Convert, WritesNothingOnAnError) {

@@ -3,14 +3,13 @@
 #include <fstream>
 
 #include "tests/support/data.hpp"
-#include "tests/support/json_reader.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 
 namespace wellspaced {
 namespace {
 
-using test::Json;
-using test::JsonReader;
+using test::JsonView;
 using test::read_bytes;
 using test::run_program;
 using test::TemporaryDirectory;
@@ -32,61 +31,69 @@ constexpr bool kAddressSanitizer = true;
 constexpr bool kAddressSanitizer = false;
 #endif
 
-Json json_of(const std::vector<std::string>& words, const std::string& input = "") {
-  std::vector<std::string> all = {"triangulate"};
-  all.insert(all.end(), words.begin(), words.end());
-  all.insert(all.end(), {"--json", "-"});
-  const auto run = run_program(all, input);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  const auto json = JsonReader::read(run.out);
-  EXPECT_TRUE(json.has_value()) << run.out;
-  return json.value_or(Json{});
-}
+// What the command says as JSON.
+class Answer {
+ public:
+  explicit Answer(const std::vector<std::string>& words, const std::string& input = "") {
+    std::vector<std::string> all = {"triangulate"};
+    all.insert(all.end(), words.begin(), words.end());
+    all.insert(all.end(), {"--json", "-"});
+    const auto run = run_program(all, input);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const auto tree = parse_json(run.out, "stdout");
+    EXPECT_TRUE(tree.ok()) << run.out;
+    if (tree.ok()) tree_ = *tree;
+  }
+  JsonView operator[](std::string_view name) const { return JsonView(&tree_)[name]; }
+
+ private:
+  JsonValue tree_;
+};
 
 TEST(Triangulate, PrintsTheKeysOfItsContract) {
-  const Json json = json_of({"-", "--cells-hash"}, kSquare);
+  const Answer json({"-", "--cells-hash"}, kSquare);
   for (const char* key : {"points", "distinct_points", "dimension", "triangles", "tets",
                           "hull_points", "added_points", "constrained_edges", "duplicates",
                           "cells_sha256", "seconds", "cpu_seconds", "peak_bytes"})
-    EXPECT_TRUE(json.has(key)) << key;
+    EXPECT_TRUE(json[key].exists()) << key;
   for (const char* key : {"read", "triangulate", "write"}) {
-    EXPECT_GE(json["seconds"][key].number, 0) << key;
-    EXPECT_EQ(json["cpu_seconds"][key].kind, Json::Kind::kNumber) << key;
+    EXPECT_GE(json["seconds"][key].number(), 0) << key;
+    EXPECT_GE(json["cpu_seconds"][key].number(), 0) << key;
   }
-  EXPECT_EQ(json["triangles"].number, 2);
+  EXPECT_EQ(json["triangles"].number(), 2);
   EXPECT_TRUE(json["tets"].is_null());
-  EXPECT_EQ(json["cells_sha256"].text.size(), 64u);
-  EXPECT_TRUE(json_of({"-"}, kSquare)["cells_sha256"].is_null());
+  EXPECT_EQ(json["cells_sha256"].text().size(), 64u);
+  EXPECT_TRUE(Answer({"-"}, kSquare)["cells_sha256"].is_null());
 }
 
 TEST(Triangulate, CountsDuplicatesAndSaysTheDimension) {
-  const Json square = json_of({"-"}, "0 0\n1 0\n0 1\n1 0\n-0 0\n");
-  EXPECT_EQ(square["points"].number, 5);
-  EXPECT_EQ(square["distinct_points"].number, 3);
-  EXPECT_EQ(square["duplicates"].number, 2);
-  EXPECT_EQ(square["dimension"].number, 2);
+  const Answer square({"-"}, "0 0\n1 0\n0 1\n1 0\n-0 0\n");
+  EXPECT_EQ(square["points"].number(), 5);
+  EXPECT_EQ(square["distinct_points"].number(), 3);
+  EXPECT_EQ(square["duplicates"].number(), 2);
+  EXPECT_EQ(square["dimension"].number(), 2);
   const std::vector<std::pair<const char*, int>> cases = {
       {"", -1}, {"1 1\n1 1\n", 0}, {"0 0\n1 1\n3 3\n", 1}};
   for (const auto& [points, dimension] : cases) {
-    const Json json = json_of({"-"}, points);
-    EXPECT_EQ(json["dimension"].number, dimension) << points;
-    EXPECT_EQ(json["triangles"].number, 0) << points;
-    EXPECT_EQ(json["hull_points"].number, dimension + 1) << points;
+    const Answer json({"-"}, points);
+    EXPECT_EQ(json["dimension"].number(), dimension) << points;
+    EXPECT_EQ(json["triangles"].number(), 0) << points;
+    EXPECT_EQ(json["hull_points"].number(), dimension + 1) << points;
   }
 }
 
 TEST(Triangulate, ObeysTheHoleRules) {
   const TemporaryDirectory directory;
   const std::string bare = directory.write("a.poly", kFrame);
-  EXPECT_EQ(json_of({bare})["triangles"].number, 8) << "parity, as there are no seeds";
-  EXPECT_EQ(json_of({bare, "--holes", "none"})["triangles"].number, 10);
-  EXPECT_EQ(json_of({bare, "--holes", "outer"})["triangles"].number, 10);
-  EXPECT_EQ(json_of({bare, "--holes", "seeds"})["triangles"].number, 10);
+  EXPECT_EQ(Answer({bare})["triangles"].number(), 8) << "parity, as there are no seeds";
+  EXPECT_EQ(Answer({bare, "--holes", "none"})["triangles"].number(), 10);
+  EXPECT_EQ(Answer({bare, "--holes", "outer"})["triangles"].number(), 10);
+  EXPECT_EQ(Answer({bare, "--holes", "seeds"})["triangles"].number(), 10);
   std::string seeded = kFrame;
   seeded.replace(seeded.size() - 2, 2, "1\n1 1 1\n");  // the frame, not the window, is the hole
-  const Json json = json_of({directory.write("b.poly", seeded)});
-  EXPECT_EQ(json["triangles"].number, 2);
-  EXPECT_EQ(json["constrained_edges"].number, 8);
+  const Answer json({directory.write("b.poly", seeded)});
+  EXPECT_EQ(json["triangles"].number(), 2);
+  EXPECT_EQ(json["constrained_edges"].number(), 8);
 }
 
 TEST(Triangulate, WritesTheSetWithTheIndexBaseOfItsInput) {
@@ -114,11 +121,11 @@ TEST(Triangulate, WritesAllThreeFilesEvenWithoutATriangle) {
 
 TEST(Triangulate, TriangulatesSpace) {
   const TemporaryDirectory directory;
-  const Json json = json_of({"-", "-o", directory / "a"}, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 2 2\n");
-  EXPECT_EQ(json["dimension"].number, 3);
-  EXPECT_EQ(json["tets"].number, 2);
+  const Answer json({"-", "-o", directory / "a"}, "0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 2 2\n");
+  EXPECT_EQ(json["dimension"].number(), 3);
+  EXPECT_EQ(json["tets"].number(), 2);
   EXPECT_TRUE(json["triangles"].is_null());
-  EXPECT_EQ(json["hull_points"].number, 5);
+  EXPECT_EQ(json["hull_points"].number(), 5);
   EXPECT_EQ(read_bytes(directory / "a.ele").rfind("2 4 0\n0 ", 0), 0u);
 }
 
@@ -168,21 +175,17 @@ TEST(Triangulate, RunsOutOfMemoryInGoodOrder) {
 
 // ---- The public bug reports ----------------------------------------------------------------
 
-// The number of a field of the truth, or what is there instead where the truth is silent.
-double expected(const Json& truth, const char* name, const Json& otherwise) {
-  return truth.has(name) ? truth[name].number : otherwise.number;
-}
-
-void check_case(const std::string& name, const Json& truth) {
+void check_case(const std::string& name, JsonView truth) {
   const std::string path = test::data_path("issues/" + name);
-  const Json json = json_of({path, "--holes", "none", "--cells-hash"});
+  const Answer json({path, "--holes", "none", "--cells-hash"});
   const bool domain = name.substr(name.size() - 5) == ".poly";
   const std::string hash = domain ? "cdt_cells_sha256" : "dt_cells_sha256";
-  if (truth.has(hash)) {
-    EXPECT_EQ(json["cells_sha256"].text, truth[hash].text) << name;
+  if (truth[hash].exists()) {
+    EXPECT_EQ(json["cells_sha256"].text(), truth[hash].text()) << name;
   }
   const auto check = [&](const char* mine, const char* theirs) {
-    EXPECT_EQ(json[mine].number, expected(truth, theirs, json[mine])) << name << ' ' << mine;
+    if (!truth[theirs].exists()) return;
+    EXPECT_EQ(json[mine].number(), truth[theirs].number()) << name << ' ' << mine;
   };
   check("points", "input_points");
   check("distinct_points", "distinct_points");
@@ -190,7 +193,7 @@ void check_case(const std::string& name, const Json& truth) {
   check("hull_points", "hull_boundary_points");
   if (!domain) {
     check("triangles", "dt_triangles");
-    if (truth["dt_unique"].truth) check("tets", "dt_tets");
+    if (truth["dt_unique"].is_true()) check("tets", "dt_tets");
     return;
   }
   check("triangles", "cdt_triangles");
@@ -200,12 +203,13 @@ void check_case(const std::string& name, const Json& truth) {
 
 TEST(Triangulate, AgreesWithTheTruthOnPublicBugReports) {
   WELLSPACED_REQUIRE_DATA("issues/truth.json");
-  const auto truth = JsonReader::read(read_bytes(test::data_path("issues/truth.json")));
-  ASSERT_TRUE(truth.has_value());
+  const auto tree = parse_json(read_bytes(test::data_path("issues/truth.json")), "truth.json");
+  ASSERT_TRUE(tree.ok());
   int checked = 0;
-  for (const auto& [name, entry] : (*truth)["cases"].members) {
-    if (entry["truth"]["cdt_added_vertices"].number > 0) continue;  // rounded crossings: elsewhere
-    check_case(name, entry["truth"]);
+  for (const auto& [name, entry] : tree->find("cases")->members) {
+    const JsonView truth = JsonView(&entry)["truth"];
+    if (truth["cdt_added_vertices"].number() > 0) continue;  // rounded crossings: elsewhere
+    check_case(name, truth);
     ++checked;
   }
   EXPECT_GE(checked, 190);
@@ -214,12 +218,12 @@ TEST(Triangulate, AgreesWithTheTruthOnPublicBugReports) {
 // Where crossings must be rounded, the answer is valid or the refusal clean, and refusals are few.
 TEST(Triangulate, RoundsCrossingsOfPublicBugReportsValidlyOrRefuses) {
   WELLSPACED_REQUIRE_DATA("issues/truth.json");
-  const auto truth = JsonReader::read(read_bytes(test::data_path("issues/truth.json")));
-  ASSERT_TRUE(truth.has_value());
+  const auto tree = parse_json(read_bytes(test::data_path("issues/truth.json")), "truth.json");
+  ASSERT_TRUE(tree.ok());
   int rounded = 0, refused = 0;
-  for (const auto& [name, entry] : (*truth)["cases"].members) {
-    const Json& facts = entry["truth"];
-    if (!(facts["cdt_added_vertices"].number > 0)) continue;
+  for (const auto& [name, entry] : tree->find("cases")->members) {
+    const JsonView facts = JsonView(&entry)["truth"];
+    if (!(facts["cdt_added_vertices"].number() > 0)) continue;
     ++rounded;
     const auto run = run_program({"triangulate", test::data_path("issues/" + name), "--holes",
                                   "none", "--quiet", "--json", "-"});
@@ -228,11 +232,13 @@ TEST(Triangulate, RoundsCrossingsOfPublicBugReportsValidlyOrRefuses) {
       ++refused;
       continue;
     }
-    const Json json = *JsonReader::read(run.out);
-    const double vertices = json["distinct_points"].number + json["added_points"].number;
-    EXPECT_EQ(json["added_points"].number, facts["cdt_added_vertices"].number) << name;
-    EXPECT_EQ(json["hull_points"].number, facts["hull_boundary_points"].number) << name;
-    EXPECT_LE(json["triangles"].number, 2 * vertices - 2 - json["hull_points"].number) << name;
+    const auto answer = parse_json(run.out, "stdout");
+    ASSERT_TRUE(answer.ok()) << name;
+    const JsonView json(&*answer);
+    const double vertices = json["distinct_points"].number() + json["added_points"].number();
+    EXPECT_EQ(json["added_points"].number(), facts["cdt_added_vertices"].number()) << name;
+    EXPECT_EQ(json["hull_points"].number(), facts["hull_boundary_points"].number()) << name;
+    EXPECT_LE(json["triangles"].number(), 2 * vertices - 2 - json["hull_points"].number()) << name;
   }
   EXPECT_GT(rounded, 20);
   EXPECT_LT(10 * refused, rounded);
