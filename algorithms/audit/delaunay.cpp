@@ -40,8 +40,9 @@ class DelaunayAudit {
   void audit_circumcentres(Report& report) const {
     Check& check = report.add_check("circumcentres_inside", Item::kTriangle, false);
     std::uint64_t budget = 32 * std::uint64_t{mesh_.triangles.size()}, undecided = 0;
+    const bool all_delaunay = report.check("delaunay")->pass();
     for (Index t = 0; t < mesh_.triangles.size(); ++t) {
-      if (obtuse_edge_[t] == kNone) continue;
+      if (obtuse_edge_[t] == kNone || (all_delaunay && faces_acute_neighbor(t))) continue;
       const Walk walk = walk_to_circumcentre(t, budget);
       if (walk == Walk::kLeft) check.violate({t});
       undecided += walk == Walk::kGivenUp;
@@ -93,6 +94,13 @@ class DelaunayAudit {
       const bool at_b = angle_sign(b, c, a) < 0;
       obtuse_edge_[t] = static_cast<std::uint8_t>(kNone - 3 * at_c - 2 * at_a - at_b);
     }
+  }
+
+  // On the bisector of an edge of a Delaunay mesh the two circumcentres come in the order of the
+  // triangles. So if that of the neighbour lies in the neighbour, that of t lies there too.
+  bool faces_acute_neighbor(Index t) const {
+    const Index twin = half_edges_.twin[3 * t + obtuse_edge_[t]];
+    return twin != kNoIndex && orientation_[twin / 3] > 0 && obtuse_edge_[twin / 3] == kNone;
   }
 
   // From the middle of the longest edge of t along its bisector to the circumcentre. The half-edge
