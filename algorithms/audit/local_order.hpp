@@ -21,4 +21,14 @@ struct LocalOrder {
 /// Requires: indices in range, finite coordinates. Cost: linear; 60 bytes a triangle.
 LocalOrder local_order(const TriangleMesh& mesh);
 
+/// The same for a tetrahedral mesh: tets by their lowest node, facets and segments with their
+/// numbers.
+struct TetLocalOrder {
+  TetMesh mesh;
+  std::vector<Index> given_node, given_tet;
+};
+
+/// Requires: indices in range, finite coordinates. Cost: linear; 80 bytes a tet.
+TetLocalOrder local_order(const TetMesh& mesh);
+
 }  // namespace wellspaced::audit

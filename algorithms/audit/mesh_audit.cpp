@@ -44,6 +44,7 @@ void restore_numbers(Check& check, const LocalOrder& order) {
   const std::vector<Index>& given = by_node ? order.given_node : order.given_triangle;
   for (Index& id : check.ids) id = given[id];
   if (ids_per(check.item) == 1) std::sort(check.ids.begin(), check.ids.end());
+  if (check.item == Item::kTrianglePair) sort_pairs(check.ids);
 }
 
 void restore_numbers(Report& report, std::size_t first_check, const LocalOrder& order) {

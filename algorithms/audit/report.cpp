@@ -1,6 +1,7 @@
 #include "wellspaced/algorithms/audit/report.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace wellspaced::audit {
 namespace {
@@ -57,6 +58,15 @@ std::string_view name_of(Item item) {
       return "domain segment";
   }
   return "nothing";
+}
+
+void sort_pairs(std::vector<Index>& ids) {
+  std::vector<std::array<Index, 2>> pairs;
+  for (std::size_t i = 0; i + 1 < ids.size(); i += 2)
+    pairs.push_back({std::min(ids[i], ids[i + 1]), std::max(ids[i], ids[i + 1])});
+  std::sort(pairs.begin(), pairs.end());
+  ids.clear();
+  for (const auto& [a, b] : pairs) ids.insert(ids.end(), {a, b});
 }
 
 bool Report::pass() const {

@@ -34,6 +34,9 @@ unsigned ids_per(Item item);
 /// The word for one such item in reports: "node", "edge", ...
 std::string_view name_of(Item item);
 
+/// Sorts a list of pairs of ids, the lower of each pair first.
+void sort_pairs(std::vector<Index>& ids);
+
 /// One check. It passes if there is no violation.
 struct Check {
   std::string name;              ///< stable, snake_case

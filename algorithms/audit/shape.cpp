@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "wellspaced/algorithms/audit/angle_intervals.hpp"
 #include "wellspaced/algorithms/audit/worst_list.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
@@ -13,25 +14,6 @@ namespace wellspaced::audit {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// The cotangents of 10, 20, ..., 170 degrees.
-constexpr std::array<double, 17> kCotangents = {5.671281819617709530994418439864,
-                                                2.747477419454622278761640264977,
-                                                1.732050807568877293527446341506,
-                                                1.191753592594209958705308071747,
-                                                0.8390996311772800117631272981231,
-                                                0.5773502691896257645091487805020,
-                                                0.3639702342662023613510478827768,
-                                                0.1763269807084649734710903868687,
-                                                0,
-                                                -0.1763269807084649734710903868687,
-                                                -0.3639702342662023613510478827768,
-                                                -0.5773502691896257645091487805020,
-                                                -0.8390996311772800117631272981231,
-                                                -1.191753592594209958705308071747,
-                                                -1.732050807568877293527446341506,
-                                                -2.747477419454622278761640264977,
-                                                -5.671281819617709530994418439864};
 
 constexpr std::array<double, 11> kAspectBounds = {2,  2.5, 3,   4,    6,        10,
                                                   20, 50,  100, 1000, kInfinity};
@@ -136,24 +118,8 @@ class Shapes {
     triangles_le_10_ += largest_cotangent >= kCotangents[0];
     triangles_le_20_ += largest_cotangent >= kCotangents[1];
     for (const double product : {f.min_product, f.middle_product, f.max_product})
-      add_angle(f.cotangent(product));
+      ++angles_.counts[interval_of(f.cotangent(product))];
     add_ratios(t, f);
-  }
-
-  void add_angle(double cotangent) {
-    std::size_t bin = guessed_bin(cotangent);
-    while (bin < kCotangents.size() && cotangent <= kCotangents[bin]) ++bin;
-    while (bin > 0 && cotangent > kCotangents[bin - 1]) --bin;
-    ++angles_.counts[bin];
-  }
-
-  // Within half a degree: arctan x is about x (pi/4 + 0.273 (1 - x)) up to x = 1.
-  static std::size_t guessed_bin(double cotangent) {
-    const double size = std::fabs(cotangent), x = std::min(size, 1 / size);
-    const double tens = x * (6.064 - 1.564 * x);
-    const double acute = size > 1 ? tens : 9 - tens;
-    const double angle = cotangent > 0 ? acute : 18 - acute;
-    return static_cast<std::size_t>(std::min(angle, 17.0));
   }
 
   void add_ratios(Index t, const Figures& f) {

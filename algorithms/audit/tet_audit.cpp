@@ -1,5 +1,9 @@
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
 
+#include <algorithm>
+#include <span>
+
+#include "wellspaced/algorithms/audit/local_order.hpp"
 #include "wellspaced/algorithms/audit/tet_delaunay.hpp"
 #include "wellspaced/algorithms/audit/tet_embedding.hpp"
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
@@ -7,10 +11,9 @@
 #include "wellspaced/algorithms/audit/tet_topology.hpp"
 
 namespace wellspaced::audit {
+namespace {
 
-Report audit_tet_mesh(const TetMesh& mesh) {
-  Report report;
-  if (!audit_tet_syntax(mesh, report)) return report;
+void audit_in_local_order(const TetMesh& mesh, Report& report) {
   const TetFaces faces =
       pair_tet_faces(mesh.tets, mesh.facets, static_cast<Index>(mesh.points.size()));
   audit_tet_topology(mesh, faces, report);
@@ -18,6 +21,31 @@ Report audit_tet_mesh(const TetMesh& mesh) {
   audit_tet_embedding(mesh, faces, orientation, report);
   audit_tet_delaunay(mesh, faces, orientation, report);
   audit_tet_shape(mesh, report);
+}
+
+// Turns local ids into given ones. Edges and faces stay in the order of their places.
+void restore_numbers(Check& check, const TetLocalOrder& order) {
+  const bool by_node =
+      check.item == Item::kNode || check.item == Item::kEdge || check.item == Item::kFace;
+  const bool by_tet = check.item == Item::kTet || check.item == Item::kTetPair;
+  if (!by_node && !by_tet) return;
+  const std::vector<Index>& given = by_node ? order.given_node : order.given_tet;
+  for (Index& id : check.ids) id = given[id];
+  if (ids_per(check.item) == 1) std::sort(check.ids.begin(), check.ids.end());
+  if (check.item == Item::kTetPair) sort_pairs(check.ids);
+}
+
+}  // namespace
+
+Report audit_tet_mesh(const TetMesh& mesh) {
+  Report report;
+  if (!audit_tet_syntax(mesh, report)) return report;
+  const std::size_t syntax = report.checks.size();
+  const TetLocalOrder order = local_order(mesh);
+  audit_in_local_order(order.mesh, report);
+  for (Check& check : std::span(report.checks).subspan(syntax)) restore_numbers(check, order);
+  for (Worst& worst : report.worst)
+    for (Index& id : worst.ids) id = order.given_tet[id];
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "wellspaced/algorithms/audit/angle_intervals.hpp"
 #include "wellspaced/algorithms/audit/worst_list.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
@@ -88,8 +89,20 @@ Ball circumscribed(const Corners& tet) {
   return {tet[0] + offset, length(offset)};
 }
 
+// Whether the circumcentre is on the inner side of every face.
+bool contains_its_circumcentre(const Corners& tet) {
+  const Point3 centre = circumscribed(tet).centre;
+  for (int i = 0; i < 4; ++i) {
+    const Point3 a = tet[(i + 1) % 4];
+    const Point3 normal = cross(tet[(i + 2) % 4] - a, tet[(i + 3) % 4] - a);
+    if (!(dot(normal, centre - a) * dot(normal, tet[i] - a) > 0)) return false;
+  }
+  return true;
+}
+
 // The smallest ball around a tet is that over an edge, a face or all of it.
 double containing_radius(const Corners& tet, double circumradius) {
+  if (contains_its_circumcentre(tet)) return circumradius;
   double least = circumradius;
   const auto try_ball = [&](const Ball& ball) {
     if (ball.radius < least && contains(ball, tet)) least = ball.radius;
@@ -234,7 +247,7 @@ class TetShapes {
     shortest_ = std::min(shortest_, f.shortest());
     longest_ = std::max(longest_, f.longest());
     volume_ += f.volume;
-    for (const double cotangent : f.cotangents) count(dihedrals_, arccotangent_deg(cotangent));
+    for (const double cotangent : f.cotangents) ++dihedrals_.counts[interval_of(cotangent)];
     count(aspects_, f.aspect_ratio());
     const TetClass type = class_of(f);
     ++classes_[static_cast<std::size_t>(type)];
