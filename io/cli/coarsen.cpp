@@ -308,12 +308,12 @@ Status write_report(const std::string& path, const std::string& input, std::span
                     Session& session) {
   const std::string name = std::filesystem::path(display_name(input)).filename().string();
   const LevelStatistics& finest = runs[0].statistics[0];
-  Report report{.title = "Coarsening of " + name,
-                .parameters = {{"file", name},
-                               {"nodes", std::to_string(finest.nodes)},
-                               {"triangles", std::to_string(finest.triangles)},
-                               {"boundary edges", std::to_string(finest.boundary_edges)}},
-                .methods = {}};
+  HtmlReport report{.title = "Coarsening of " + name,
+                    .parameters = {{"file", name},
+                                   {"nodes", std::to_string(finest.nodes)},
+                                   {"triangles", std::to_string(finest.triangles)},
+                                   {"boundary edges", std::to_string(finest.boundary_edges)}},
+                    .methods = {}};
   for (const Run& run : runs) report.methods.push_back(report_method(run));
   return session.outputs().add(path, [&](TextWriter& out) { out << report_html(report); });
 }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kPiece = std::size_t{1} << 20;
+constexpr std::size_t kReadPiece = std::size_t{1} << 20;
 
 Error unreadable(const std::string& path, const std::string& why) {
   return {ErrorCode::kUnreadable, display_name(path) + ": cannot read: " + why, {}};
@@ -38,7 +38,7 @@ Result<std::string> read_stream(std::FILE* stream, const std::string& path, std:
   if (size > largest) return too_large(path, largest);
   std::string bytes;
   std::size_t piece = static_cast<std::size_t>(size) + 1;  // one more, to see the end
-  for (std::size_t used = 0;; piece = std::max(kPiece, used / 2)) {
+  for (std::size_t used = 0;; piece = std::max(kReadPiece, used / 2)) {
     bytes.resize(used + piece);
     const std::size_t got = std::fread(bytes.data() + used, 1, piece, stream);
     used += got;
@@ -55,6 +55,11 @@ struct CloseFile {
 };
 
 }  // namespace
+
+bool file_exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+}
 
 std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
 

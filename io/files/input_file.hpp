@@ -17,6 +17,9 @@ inline constexpr std::uint64_t kLargestInput = std::uint64_t{1} << 34;
 /// Cost: the size of the file.
 Result<std::string> read_input(const std::string& path, std::uint64_t largest = kLargestInput);
 
+/// Whether `path` names something that can be opened as a file: it exists and is no directory.
+bool file_exists(const std::string& path);
+
 /// How messages call the input `path`: "<stdin>" for "-".
 std::string display_name(const std::string& path);
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
+#include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/point_files.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
@@ -199,16 +198,11 @@ void note_preparation(const MeshPreparation& found, const std::string& name, Geo
   note(found.repeated_segments, " segments are listed more than once");
 }
 
-bool exists(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::exists(path, error);
-}
-
 // The set X may be named without an extension.
 std::string resolved(const std::string& path) {
-  if (path == "-" || exists(path)) return path;
+  if (path == "-" || file_exists(path)) return path;
   for (const char* extension : {".node", ".poly"})
-    if (exists(path + extension)) return path + extension;
+    if (file_exists(path + extension)) return path + extension;
   return path;
 }
 

@@ -1,7 +1,6 @@
 #include "wellspaced/io/formats/hierarchy_input.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <sstream>
@@ -15,18 +14,13 @@
 namespace wellspaced {
 namespace {
 
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(path, ignored);
-}
-
 // The first file `stem`.extension that exists; empty if there is none.
 std::string find_file(const std::string& stem) {
   for (const Format& format : formats()) {
     if (format.parse == nullptr) continue;
     std::istringstream extensions{std::string(format.extensions)};
     for (std::string extension; extensions >> extension;)
-      if (exists(stem + extension)) return stem + extension;
+      if (file_exists(stem + extension)) return stem + extension;
   }
   return {};
 }
@@ -34,7 +28,7 @@ std::string find_file(const std::string& stem) {
 // One number a line, `count` of them; empty if there is no such file.
 Result<std::vector<double>> read_column(const std::string& path, std::size_t count) {
   std::vector<double> values;
-  if (!exists(path)) return values;
+  if (!file_exists(path)) return values;
   const auto text = read_input(path);
   if (!text) return text.error();
   Scanner scanner(*text, path);
@@ -71,7 +65,7 @@ Result<audit::HierarchyLevel> read_level(const std::string& stem, const std::str
 }
 
 Status read_manifest(const std::string& path, HierarchyInput& input) {
-  if (!exists(path)) return Ok{};
+  if (!file_exists(path)) return Ok{};
   const auto text = read_input(path);
   if (!text) return text.error();
   const auto json = parse_json(*text, path);

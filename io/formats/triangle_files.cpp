@@ -1,19 +1,13 @@
 #include "wellspaced/io/formats/triangle_files.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
+#include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
 
 namespace wellspaced {
 namespace {
-
-bool exists(const std::string& path) {
-  std::error_code error;
-  return std::filesystem::exists(path, error);
-}
 
 bool has_extension(const std::string& path, std::string_view extension) {
   return path.size() > extension.size() &&
@@ -42,7 +36,7 @@ class SetReader {
 
 Status SetReader::read_points() {
   const std::string name = set_ + ".node";
-  if (!exists(name) && exists(set_ + ".poly")) return Ok{};  // the .poly must hold them
+  if (!file_exists(name) && file_exists(set_ + ".poly")) return Ok{};  // the .poly must hold them
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
   auto points = parse_node(*text, name);
@@ -68,7 +62,7 @@ Status SetReader::read_poly() {
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
   const bool refers = poly_refers_to_node(*text);
-  const bool has_node = exists(set_ + ".node");
+  const bool has_node = file_exists(set_ + ".node");
   if (refers && !has_node)
     return Error{
         ErrorCode::kUnreadable, name + ": holds no points, and " + set_ + ".node is missing", {}};
@@ -104,19 +98,19 @@ Status SetReader::read_cells() {
 }
 
 Result<Geometry> SetReader::read() {
-  if (!exists(path_)) return read_input(path_).error();
+  if (!file_exists(path_)) return read_input(path_).error();
   if (Status status = read_points(); !status) return status.error();
   const bool plane = geometry_.dimension == 2;
-  if (exists(set_ + ".poly")) {
+  if (file_exists(set_ + ".poly")) {
     if (!plane) {
       geometry_.notes.push_back(set_ + ".poly: facets in space are not read");
     } else if (Status status = read_poly(); !status) {
       return status.error();
     }
-  } else if (plane && exists(set_ + ".edge")) {
+  } else if (plane && file_exists(set_ + ".edge")) {
     if (Status status = read_edges(); !status) return status.error();
   }
-  if (exists(set_ + ".ele"))
+  if (file_exists(set_ + ".ele"))
     if (Status status = read_cells(); !status) return status.error();
   return std::move(geometry_);
 }

@@ -8,9 +8,9 @@ namespace wellspaced {
 namespace {
 
 // Reads one text. Failures stick in the scanner.
-class Parser {
+class TriangleParser {
  public:
-  Parser(std::string_view text, const std::string& name) : scanner_(text, name) {}
+  TriangleParser(std::string_view text, const std::string& name) : scanner_(text, name) {}
 
   void read_points(Geometry& geometry);
   std::vector<Segment> read_segments(const Geometry& geometry);
@@ -46,7 +46,7 @@ class Parser {
 };
 
 // A count, after which that many lines of at least `fields_each` fields follow.
-Index Parser::read_count(const char* what, std::uint64_t fields_each) {
+Index TriangleParser::read_count(const char* what, std::uint64_t fields_each) {
   const std::int64_t count = scanner_.integer(std::string("number of ") + what);
   if (count < 0)
     fail(ErrorCode::kUnreadable, "the number of " + std::string(what) + " is negative");
@@ -57,7 +57,7 @@ Index Parser::read_count(const char* what, std::uint64_t fields_each) {
 }
 
 // How many columns of a kind there are: a million or more is a mistake.
-Index Parser::read_columns(const char* what) {
+Index TriangleParser::read_columns(const char* what) {
   constexpr std::int64_t kMost = 1'000'000;
   const std::int64_t count = scanner_.integer_or(0, what);
   if (count < 0 || count > kMost)
@@ -67,7 +67,7 @@ Index Parser::read_columns(const char* what) {
 }
 
 // Moves to the next of `count` lines of a kind.
-bool Parser::next_of(Index count, const char* what) {
+bool TriangleParser::next_of(Index count, const char* what) {
   if (scanner_.next_line()) return true;
   fail(ErrorCode::kUnreadable,
        "the file ends before its " + std::to_string(count) + " " + what + " do");
@@ -75,7 +75,7 @@ bool Parser::next_of(Index count, const char* what) {
 }
 
 // The count comes first, but how much room it needs depends on the columns behind it.
-Parser::PointHeader Parser::read_point_header() {
+TriangleParser::PointHeader TriangleParser::read_point_header() {
   PointHeader header;
   if (!scanner_.require_line("the number of points")) return header;
   header.count = read_count("points", 3);
@@ -91,7 +91,7 @@ Parser::PointHeader Parser::read_point_header() {
   return header;
 }
 
-void Parser::read_point_number(Index i, Geometry& geometry) {
+void TriangleParser::read_point_number(Index i, Geometry& geometry) {
   const std::int64_t number = scanner_.integer("point number");
   if (i == 0 && number != 0 && number != 1)
     fail(ErrorCode::kUnreadable,
@@ -102,7 +102,7 @@ void Parser::read_point_number(Index i, Geometry& geometry) {
                                      std::to_string(expected) + " should follow");
 }
 
-void Parser::read_point(const PointHeader& header, Geometry& geometry) {
+void TriangleParser::read_point(const PointHeader& header, Geometry& geometry) {
   const double x = scanner_.number("x coordinate");
   const double y = scanner_.number("y coordinate");
   const bool plane = header.dimension == 2;
@@ -118,7 +118,7 @@ void Parser::read_point(const PointHeader& header, Geometry& geometry) {
   markers.push_back(scanner_.marker());
 }
 
-void Parser::read_points(Geometry& geometry) {
+void TriangleParser::read_points(Geometry& geometry) {
   const PointHeader header = read_point_header();
   geometry.dimension = header.dimension;
   geometry.point_attributes.columns = header.attributes;
@@ -134,7 +134,7 @@ void Parser::read_points(Geometry& geometry) {
   }
 }
 
-Index Parser::read_index(const Geometry& geometry) {
+Index TriangleParser::read_index(const Geometry& geometry) {
   const std::int64_t number = scanner_.integer("point number");
   const std::int64_t base = geometry.index_base;
   const auto count = static_cast<std::int64_t>(geometry.point_count());
@@ -147,7 +147,7 @@ Index Parser::read_index(const Geometry& geometry) {
   return 0;
 }
 
-std::vector<Segment> Parser::read_segments(const Geometry& geometry) {
+std::vector<Segment> TriangleParser::read_segments(const Geometry& geometry) {
   std::vector<Segment> segments;
   if (!scanner_.require_line("the number of segments")) return segments;
   const Index count = read_count("segments", 3);
@@ -165,13 +165,13 @@ std::vector<Segment> Parser::read_segments(const Geometry& geometry) {
   return segments;
 }
 
-Point2 Parser::read_seed(const char* number) {
+Point2 TriangleParser::read_seed(const char* number) {
   scanner_.integer(number);
   const double x = scanner_.number("x coordinate");
   return {x, scanner_.number("y coordinate")};
 }
 
-void Parser::read_holes(Geometry& geometry) {
+void TriangleParser::read_holes(Geometry& geometry) {
   if (!scanner_.next_line()) return;
   const Index count = read_count("holes", 3);
   geometry.holes.reserve(count);
@@ -179,7 +179,7 @@ void Parser::read_holes(Geometry& geometry) {
     geometry.holes.push_back(read_seed("hole number"));
 }
 
-void Parser::read_regions(Geometry& geometry) {
+void TriangleParser::read_regions(Geometry& geometry) {
   if (!scanner_.next_line()) return;
   const Index count = read_count("regions", 4);
   geometry.regions.reserve(count);
@@ -193,9 +193,9 @@ void Parser::read_regions(Geometry& geometry) {
 }
 
 template <std::size_t kCorners>
-void Parser::read_cell_lines(Index count, const Geometry& geometry,
-                             std::vector<std::array<Index, kCorners>>& cells,
-                             Attributes& attributes) {
+void TriangleParser::read_cell_lines(Index count, const Geometry& geometry,
+                                     std::vector<std::array<Index, kCorners>>& cells,
+                                     Attributes& attributes) {
   cells.reserve(count);
   attributes.values.reserve(std::size_t{count} * attributes.columns);
   for (Index i = 0; i < count && next_of(count, "elements"); ++i) {
@@ -208,7 +208,7 @@ void Parser::read_cell_lines(Index count, const Geometry& geometry,
   }
 }
 
-void Parser::read_cells(Geometry& geometry) {
+void TriangleParser::read_cells(Geometry& geometry) {
   if (!scanner_.require_line("the number of elements")) return;
   const Index count = read_count("elements", 4);
   const Index expected = geometry.dimension == 3 ? 4 : 3;
@@ -228,7 +228,7 @@ void Parser::read_cells(Geometry& geometry) {
   }
 }
 
-void Parser::require_end() {
+void TriangleParser::require_end() {
   if (scanner_.next_line())
     fail(ErrorCode::kUnreadable, "more lines follow than the headers announce");
 }
@@ -236,7 +236,7 @@ void Parser::require_end() {
 }  // namespace
 
 Result<Geometry> parse_node(std::string_view text, const std::string& name) {
-  Parser parser(text, name);
+  TriangleParser parser(text, name);
   Geometry geometry;
   parser.read_points(geometry);
   parser.require_end();
@@ -251,7 +251,7 @@ bool poly_refers_to_node(std::string_view text) {
 
 Result<Geometry> parse_poly(std::string_view text, const std::string& name,
                             const Geometry* points) {
-  Parser parser(text, name);
+  TriangleParser parser(text, name);
   Geometry geometry;
   parser.read_points(geometry);
   if (geometry.point_count() == 0 && points != nullptr) geometry = *points;
@@ -267,7 +267,7 @@ Result<Geometry> parse_poly(std::string_view text, const std::string& name,
 }
 
 Status parse_ele(std::string_view text, const std::string& name, Geometry& geometry) {
-  Parser parser(text, name);
+  TriangleParser parser(text, name);
   parser.read_cells(geometry);
   parser.require_end();
   if (!parser.ok()) return parser.error();
@@ -276,7 +276,7 @@ Status parse_ele(std::string_view text, const std::string& name, Geometry& geome
 
 Result<std::vector<Segment>> parse_edge(std::string_view text, const std::string& name,
                                         const Geometry& geometry) {
-  Parser parser(text, name);
+  TriangleParser parser(text, name);
   std::vector<Segment> edges = parser.read_segments(geometry);
   parser.require_end();
   if (!parser.ok()) return parser.error();

@@ -4,6 +4,7 @@
 #include "wellspaced/io/formats/vtk.hpp"
 #include "wellspaced/io/text/base64.hpp"
 #include "wellspaced/io/text/bytes.hpp"
+#include "wellspaced/io/text/markup.hpp"
 
 namespace wellspaced {
 namespace {
@@ -14,29 +15,6 @@ constexpr std::string_view type_name() {
   if constexpr (std::same_as<T, std::int64_t>) return "Int64";
   if constexpr (std::same_as<T, std::int32_t>) return "Int32";
   return "UInt8";
-}
-
-std::string xml_escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < 0x20 ? '_' : c;
-    }
-  }
-  return result;
 }
 
 // Writes the arrays of one file; appended ones wait for the end.
@@ -80,7 +58,7 @@ void VtuWriter::write_ascii(const std::vector<T>& values) {
 template <class T>
 void VtuWriter::write_array(std::string_view name, std::size_t components,
                             const std::vector<T>& values) {
-  out_ << "<DataArray type=\"" << type_name<T>() << "\" Name=\"" << xml_escaped(name) << '"';
+  out_ << "<DataArray type=\"" << type_name<T>() << "\" Name=\"" << escape_markup(name) << '"';
   if (components > 1) out_ << " NumberOfComponents=\"" << components << '"';
   switch (encoding_) {
     case VtuEncoding::kAscii:

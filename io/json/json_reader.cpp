@@ -19,9 +19,9 @@ void append_utf8(std::string& text, std::uint32_t code) {
 }
 
 // A recursive descent; each function returns false at the first complaint.
-class Parser {
+class JsonParser {
  public:
-  explicit Parser(std::string_view text) : text_(text) {}
+  explicit JsonParser(std::string_view text) : text_(text) {}
 
   bool parse(JsonValue& value) {
     skip_blanks();
@@ -185,7 +185,7 @@ const JsonValue* JsonValue::find(std::string_view name) const {
 
 Result<JsonValue> parse_json(std::string_view text, const std::string& name) {
   JsonValue value;
-  Parser parser(text);
+  JsonParser parser(text);
   if (parser.parse(value)) return value;
   return Error{
       ErrorCode::kUnreadable, name + ":" + std::to_string(parser.line()) + ": this is no JSON", {}};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wellspaced/io/pictures/pen.hpp"
+#include "wellspaced/io/text/markup.hpp"
 
 namespace wellspaced {
 namespace {
@@ -11,20 +12,6 @@ namespace {
 constexpr int kUnits = 10;  // of the drawing grid, to a pixel
 constexpr int kMargin = 5 * kUnits;
 constexpr int kCaption = 24 * kUnits;
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
 
 std::string edge_path(const TriangleMesh& mesh, const Canvas& canvas) {
   std::vector<GridLine> lines;
@@ -111,7 +98,7 @@ void write_panels_svg(TextWriter& out, std::span<const Panel> panels, std::size_
     draw(out, *panels[i].mesh, canvas, options);
     out << "<text x=\"0\" y=\"" << canvas.height() + kCaption - kMargin << "\" font-size=\""
         << 14 * kUnits << "\" font-family=\"sans-serif\" fill=\"#012\">"
-        << escaped(panels[i].caption) << "</text>\n</g>\n";
+        << escape_markup(panels[i].caption) << "</text>\n</g>\n";
   }
   out << "</svg>\n";
 }

@@ -12,8 +12,6 @@ namespace {
 
 using audit::Check;
 using audit::Item;
-using audit::Measure;
-using audit::Report;
 
 constexpr std::size_t kListed = 10;
 
@@ -39,19 +37,19 @@ void append_check(JsonWriter& json, const Check& check) {
   json.end_object();
 }
 
-void append_measures(JsonWriter& json, const Report& report, std::optional<Index> level) {
-  for (const Measure& measure : report.measures)
+void append_measures(JsonWriter& json, const audit::Report& report, std::optional<Index> level) {
+  for (const audit::Measure& measure : report.measures)
     if (measure.level == level) json.field(measure.name, measure.value);
 }
 
-Index level_count(const Report& report) {
+Index level_count(const audit::Report& report) {
   Index count = 0;
-  for (const Measure& measure : report.measures)
+  for (const audit::Measure& measure : report.measures)
     if (measure.level) count = std::max(count, *measure.level + 1);
   return count;
 }
 
-void append_levels(JsonWriter& json, const Report& report) {
+void append_levels(JsonWriter& json, const audit::Report& report) {
   const Index count = level_count(report);
   if (count == 0) return;
   json.key("levels").begin_array();
@@ -63,7 +61,7 @@ void append_levels(JsonWriter& json, const Report& report) {
   json.end_array();
 }
 
-void append_histograms(JsonWriter& json, const Report& report) {
+void append_histograms(JsonWriter& json, const audit::Report& report) {
   json.key("histograms").begin_object();
   for (const audit::Histogram& histogram : report.histograms) {
     json.key(histogram.name).begin_object();
@@ -74,7 +72,7 @@ void append_histograms(JsonWriter& json, const Report& report) {
   json.end_object();
 }
 
-void append_worst(JsonWriter& json, const Report& report) {
+void append_worst(JsonWriter& json, const audit::Report& report) {
   json.key("worst").begin_object();
   for (const audit::Worst& worst : report.worst) {
     json.key(worst.measure).begin_object().field("item", audit::name_of(worst.item));
@@ -90,7 +88,7 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-std::string rounded(double value) {
+std::string six_digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
@@ -131,9 +129,9 @@ constexpr std::pair<std::string_view, std::string_view> kColumns[] = {
     {"at most", "intersection_max"},
     {"similar", "similarity"}};
 
-std::string level_cell(const Report& report, Index level, std::string_view name) {
-  for (const Measure& measure : report.measures)
-    if (measure.level == level && measure.name == name) return rounded(measure.value);
+std::string level_cell(const audit::Report& report, Index level, std::string_view name) {
+  for (const audit::Measure& measure : report.measures)
+    if (measure.level == level && measure.name == name) return six_digits(measure.value);
   return "-";
 }
 
@@ -141,7 +139,7 @@ std::string aligned(std::string text) {
   return text.size() < 12 ? std::string(12 - text.size(), ' ') + text : ' ' + text;
 }
 
-std::string level_table(const Report& report) {
+std::string level_table(const audit::Report& report) {
   const Index count = level_count(report);
   if (count == 0) return "";
   std::string text = "  level";
@@ -170,7 +168,7 @@ bool is_of_nodes(Item item) {
 
 }  // namespace
 
-void append_audit_json(JsonWriter& json, const Report& report) {
+void append_audit_json(JsonWriter& json, const audit::Report& report) {
   json.field("verdict", report.pass() ? "pass" : "fail").key("checks").begin_array();
   for (const Check& check : report.checks) append_check(json, check);
   json.end_array().key("measures").begin_object();
@@ -181,16 +179,16 @@ void append_audit_json(JsonWriter& json, const Report& report) {
   append_worst(json, report);
 }
 
-std::string audit_table(const Report& report) {
+std::string audit_table(const audit::Report& report) {
   std::string text = std::string("verdict: ") + (report.pass() ? "pass" : "FAIL") + "\n";
   for (const Check& check : report.checks)
     if (!check.level || !check.pass()) text += check_line(check);
-  for (const Measure& measure : report.measures)
-    if (!measure.level) text += "  " + padded(measure.name, 34) + rounded(measure.value) + "\n";
+  for (const audit::Measure& measure : report.measures)
+    if (!measure.level) text += "  " + padded(measure.name, 34) + six_digits(measure.value) + "\n";
   return text + level_table(report);
 }
 
-void mark_offenders(const Report& report, VtkGrid& grid) {
+void mark_offenders(const audit::Report& report, VtkGrid& grid) {
   for (const Check& check : report.checks) {
     if (check.pass() || check.level || check.ids.empty()) continue;
     const bool of_cells = is_of_cells(check.item);

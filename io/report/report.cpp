@@ -4,34 +4,14 @@
 
 #include "wellspaced/io/report/report_data.hpp"
 #include "wellspaced/io/report/report_templates.hpp"
+#include "wellspaced/io/text/markup.hpp"
 
 namespace wellspaced {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  return result;
-}
-
 // What a word between two @ signs of the page stands for.
-std::string content_of(std::string_view word, const Report& report) {
-  if (word == "TITLE") return escaped(report.title);
+std::string content_of(std::string_view word, const HtmlReport& report) {
+  if (word == "TITLE") return escape_markup(report.title);
   if (word == "STYLE") return std::string(kReportCss);
   if (word == "SCRIPT") return std::string(kReportScript);
   return report_data(report);
@@ -39,7 +19,7 @@ std::string content_of(std::string_view word, const Report& report) {
 
 }  // namespace
 
-std::string report_html(const Report& report) {
+std::string report_html(const HtmlReport& report) {
   const std::string_view page = kReportHtml;
   std::string html;
   std::size_t done = 0;

@@ -32,7 +32,7 @@ struct ReportMethod {
 
 /// One or several sequences of the same input mesh. Levels of more than max_drawn_nodes nodes are
 /// counted and measured in the report, but not drawn.
-struct Report {
+struct HtmlReport {
   std::string title;
   ReportParameters parameters;
   std::vector<ReportMethod> methods;
@@ -44,6 +44,6 @@ struct Report {
 /// Requires: at least one method, each with at least one level; meshes and origins in range, and
 ///   every origin names the same input mesh.
 /// Cost: O(n log n) time in the nodes drawn; about 35 bytes of text for each of them in a level.
-std::string report_html(const Report& report);
+std::string report_html(const HtmlReport& report);
 
 }  // namespace wellspaced

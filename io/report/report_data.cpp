@@ -29,12 +29,12 @@ Index origin_of(const ReportLevel& level, Index node) {
   return level.origin.empty() ? node : level.origin[node];
 }
 
-bool is_drawn(const ReportLevel& level, const Report& report) {
+bool is_drawn(const ReportLevel& level, const HtmlReport& report) {
   return level.mesh->points.size() <= report.max_drawn_nodes;
 }
 
 template <class Visit>
-void for_each_drawn_level(const Report& report, Visit visit) {
+void for_each_drawn_level(const HtmlReport& report, Visit visit) {
   for (const ReportMethod& method : report.methods)
     for (const ReportLevel& level : method.levels)
       if (is_drawn(level, report)) visit(level);
@@ -46,7 +46,7 @@ struct DrawnPoints {
   std::vector<Index> number_of;
 };
 
-DrawnPoints collect_points(const Report& report) {
+DrawnPoints collect_points(const HtmlReport& report) {
   DrawnPoints drawn;
   for_each_drawn_level(report, [&](const ReportLevel& level) {
     for (Index node = 0; node < level.mesh->points.size(); ++node) {
@@ -232,7 +232,7 @@ void write_parameters(JsonWriter& json, const ReportParameters& parameters) {
   json.end_array();
 }
 
-void write_methods(JsonWriter& json, const Report& report, const DrawnPoints& drawn,
+void write_methods(JsonWriter& json, const HtmlReport& report, const DrawnPoints& drawn,
                    std::vector<std::string>& geometries) {
   json.key("methods").begin_array();
   for (const ReportMethod& method : report.methods) {
@@ -263,7 +263,7 @@ std::string without_markup(const std::string& json) {
 
 }  // namespace
 
-std::string report_data(const Report& report) {
+std::string report_data(const HtmlReport& report) {
   DrawnPoints drawn = collect_points(report);
   renumber_along_curve(drawn);
   std::vector<std::string> geometries;

@@ -16,6 +16,6 @@ namespace wellspaced {
 /// a and c - b; segments (a, b) as the differences of a from the one before and of b from a.
 /// Unsigned where the sign is known, else signed (0, -1, 1, -2, ...); 7 bits a byte, lowest first.
 /// Equal geometries are written once.
-std::string report_data(const Report& report);
+std::string report_data(const HtmlReport& report);
 
 }  // namespace wellspaced

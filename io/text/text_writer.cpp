@@ -7,7 +7,7 @@
 namespace wellspaced {
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 20;
+constexpr std::size_t kFlushAt = std::size_t{1} << 20;
 
 template <class T>
 std::string_view to_text(T value, std::array<char, 32>& space) {
@@ -24,7 +24,7 @@ std::string shortest(double value) {
 
 TextWriter& TextWriter::operator<<(std::string_view text) {
   buffer_ += text;
-  if (stream_ != nullptr && buffer_.size() >= kPiece) flush();
+  if (stream_ != nullptr && buffer_.size() >= kFlushAt) flush();
   return *this;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 TriangleMesh unit_square() { return generate_grid({.nx = 2, .ny = 2}).value(); }
 
-Report report_of(const TriangleMesh& mesh) {
+HtmlReport report_of(const TriangleMesh& mesh) {
   return {.title = "square",
           .parameters = {},
           .methods = {{"function", {}, {{&mesh, {}, mesh_statistics(mesh)}}}}};
@@ -50,7 +50,7 @@ TEST(ReportData, CodesTheUnitSquareByHand) {
 
 TEST(ReportData, WritesEqualGeometriesOnce) {
   const TriangleMesh mesh = unit_square();
-  Report report = report_of(mesh);
+  HtmlReport report = report_of(mesh);
   report.methods.push_back(report.methods[0]);
   const std::string data = report_data(report);
   EXPECT_EQ(count_of(data, "\"geometry\":0"), 2u);
@@ -59,7 +59,7 @@ TEST(ReportData, WritesEqualGeometriesOnce) {
 
 TEST(ReportData, LeavesOutPicturesOfLargeLevels) {
   const TriangleMesh mesh = unit_square();
-  Report report = report_of(mesh);
+  HtmlReport report = report_of(mesh);
   report.max_drawn_nodes = 3;
   const std::string data = report_data(report);
   EXPECT_NE(data.find("\"geometry\":null"), data.npos);
@@ -69,7 +69,7 @@ TEST(ReportData, LeavesOutPicturesOfLargeLevels) {
 
 TEST(ReportData, KeepsOriginsOfCoarserLevelsTogether) {
   const Hierarchy hierarchy = coarsen(generate_grid({.nx = 20, .ny = 20}).value(), {}).value();
-  Report report{.title = "", .parameters = {}, .methods = {method_of("function", hierarchy)}};
+  HtmlReport report{.title = "", .parameters = {}, .methods = {method_of("function", hierarchy)}};
   EXPECT_NE(report_data(report).find("\"points\":{\"count\":400,"), std::string::npos);
   report.methods[0].levels.erase(report.methods[0].levels.begin());
   const std::string coarse = std::to_string(hierarchy.levels[1].mesh.points.size());
@@ -81,7 +81,7 @@ TEST(ReportData, LeavesOutWhatWasNotMeasured) {
   const std::string data = report_data(report_of(mesh));
   EXPECT_NE(data.find("\"interior_min\":null,\"boundary_min\":45,\"max\":90"), data.npos) << data;
   EXPECT_EQ(data.find("intersection"), data.npos);
-  Report report = report_of(mesh);
+  HtmlReport report = report_of(mesh);
   report.methods[0].levels[0].statistics = {};
   EXPECT_EQ(report_data(report).find("le_10"), data.npos) << "no angles, no counts of them";
 }
@@ -98,7 +98,7 @@ TEST(ReportHtml, IsOnePageThatLoadsNothing) {
 
 TEST(ReportHtml, TextsOfTheUserCannotBreakThePage) {
   const TriangleMesh mesh = unit_square();
-  Report report = report_of(mesh);
+  HtmlReport report = report_of(mesh);
   report.title = "</title><script>alert(1)</script>@DATA@";
   report.parameters = {{"file", "</script><!--"}};
   const std::string html = report_html(report);
@@ -113,9 +113,10 @@ TEST(ReportHtml, OfSixteenThousandNodesByBothMethodsStaysUnder3Megabytes) {
   const Hierarchy by_function = coarsen(mesh, options).value();
   options.method = CoarseningMethod::kMis;
   const Hierarchy by_mis = coarsen(mesh, options).value();
-  const Report report{.title = "wing",
-                      .parameters = {},
-                      .methods = {method_of("function", by_function), method_of("mis", by_mis)}};
+  const HtmlReport report{
+      .title = "wing",
+      .parameters = {},
+      .methods = {method_of("function", by_function), method_of("mis", by_mis)}};
   const std::string html = report_html(report);
   EXPECT_LT(html.size(), 3'000'000u);
   EXPECT_EQ(html, report_html(report)) << "the same report gives the same bytes";
