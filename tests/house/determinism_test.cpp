@@ -9,6 +9,8 @@
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
+#include "wellspaced/algorithms/generate/points3.hpp"
+#include "wellspaced/kernel/delaunay3_queries.hpp"
 #include "wellspaced/kernel/sha256.hpp"
 #include "wellspaced/kernel/triangulate.hpp"
 
@@ -59,6 +61,15 @@ TEST(Determinism, OfTriangulatedPoints) {
     }
   }
   EXPECT_EQ(bytes.hash(), "fd8a554a4f10e9903fc6ffb1867be92c21c4cb96a43fae59539e039fd55216e2");
+}
+
+TEST(Determinism, OfTriangulatedPointsOfSpace) {
+  Bytes bytes;
+  for (const auto& points :
+       {box_points3(3000, 1), sphere_points3(1000, 1), lattice_points3(12, 12, 12),
+        line_points3(40), helix_points3(300, 20, 1)})
+    bytes.add(real_tets(*Delaunay3::build(points)));
+  EXPECT_EQ(bytes.hash(), "2b860bd24f30791b0ec4fadddfbc58bf5894b1ff3a3aca5579da92791879be00");
 }
 
 TEST(Determinism, OfSplitCrossings) {
