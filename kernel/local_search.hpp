@@ -1,11 +1,8 @@
 // Many small shortest-path searches in one graph, each through a few nodes only.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "wellspaced/kernel/graph.hpp"
@@ -13,71 +10,75 @@
 
 namespace wellspaced {
 
-/// A workspace for Dijkstra searches from few nodes that end early: starting the next search costs
-/// nothing but a stamp, whatever the size of the graph.
+/// A workspace for searches from few nodes that end early: starting the next search costs nothing
+/// but a stamp, whatever the size of the graph.
+///
+/// The distances are those of Dijkstra's algorithm, summed from the sources outwards. They are
+/// found by correction (Moore 1959): nodes wait in a queue, not a heap, and wait again when a
+/// shorter path to them turns up. In the neighbourhoods of a mesh that is rare, and no order is
+/// kept.
 /// Requires: the graph outlives the workspace. Memory: 16 bytes a node.
 class LocalSearch {
  public:
   explicit LocalSearch(const Graph& graph) : graph_(graph), labels_(graph.nodes()) {}
 
-  /// Settles nodes in order of their distance from the nearest source; equal distances by number.
-  /// accept(v, distance): whether v is to be labelled with this distance, and so be settled later;
-  ///   asked again whenever a shorter path to v is found. Sources are accepted unasked.
-  /// settle(v, distance): told the final distance; returns false to end the search there, before
-  ///   the arcs of v are followed.
-  /// Cost: O(k log k) for k labelled nodes of bounded degree.
-  template <class Accept, class Settle>
-  void run(std::span<const Index> sources, Accept accept, Settle settle) {
-    start();
+  /// Reaches the sources, at distance 0, and every node that a path through reached nodes leads to
+  /// over acceptable distances.
+  /// accept(v, distance): whether v may be reached at this distance. Requires: what is accepted at
+  ///   a distance is accepted at any shorter one.
+  /// Returns: the nodes reached, each once; valid until the next search.
+  /// Cost: proportional to the nodes reached and their degrees as long as few paths are corrected;
+  ///   at worst quadratic.
+  template <class Accept>
+  std::span<const Index> run(std::span<const Index> sources, Accept accept) {
+    ++search_;
+    reached_.clear();
+    queue_.clear();
     for (const Index s : sources)
       if (improves(s, 0)) label(s, 0);
-    while (!queue_.empty()) {
-      const auto [d, v] = pop();
-      if (d != labels_[v].distance) continue;  // an entry that a shorter path has outdated
-      if (!settle(v, d)) return;
+    for (std::size_t next = 0; next < queue_.size(); ++next) {
+      const Index v = queue_[next];
+      const double d = distance(v);
       for (const auto& [w, length] : graph_.arcs_of(v)) {
         const double through_v = d + length;
         if (improves(w, through_v) && accept(w, through_v)) label(w, through_v);
       }
     }
+    return reached_;
   }
 
-  /// The nodes that the last search labelled.
-  std::size_t labelled() const { return labelled_; }
+  /// The distance of a node that the last search reached.
+  double distance(Index v) const { return labels_[v].distance; }
+
+  /// How many nodes the last search did not reach, but looked at from a reached one.
+  /// Changes: these count as reached from here on.
+  std::size_t count_frontier() {
+    const std::size_t inside = reached_.size();
+    for (std::size_t i = 0; i < inside; ++i)
+      for (const Graph::Arc& arc : graph_.arcs_of(reached_[i]))
+        if (labels_[arc.target].search != search_) label(arc.target, 0);
+    return reached_.size() - inside;
+  }
 
  private:
   struct Label {
     double distance = 0;
     std::uint64_t search = 0;  // the search that set it
   };
-  using Entry = std::pair<double, Index>;
 
-  void start() {
-    ++search_;
-    labelled_ = 0;
-    queue_.clear();
-  }
   bool improves(Index v, double distance) const {
     return labels_[v].search != search_ || distance < labels_[v].distance;
   }
   void label(Index v, double distance) {
-    if (labels_[v].search != search_) ++labelled_;
+    if (labels_[v].search != search_) reached_.push_back(v);
     labels_[v] = {distance, search_};
-    queue_.emplace_back(distance, v);
-    std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
-  }
-  Entry pop() {
-    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
-    const Entry entry = queue_.back();
-    queue_.pop_back();
-    return entry;
+    queue_.push_back(v);
   }
 
   const Graph& graph_;
   std::vector<Label> labels_;
-  std::vector<Entry> queue_;
+  std::vector<Index> reached_, queue_;
   std::uint64_t search_ = 0;
-  std::size_t labelled_ = 0;
 };
 
 }  // namespace wellspaced

@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
-#include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
 #include "wellspaced/algorithms/coarsening/level_step.hpp"
+#include "wellspaced/algorithms/coarsening/skeleton.hpp"
 #include "wellspaced/algorithms/coarsening/special_points.hpp"
 #include "wellspaced/algorithms/spacing/graph_spacing.hpp"
-#include "wellspaced/kernel/corner_table.hpp"
-#include "wellspaced/kernel/graph.hpp"
 
 namespace wellspaced {
 namespace {
 
 constexpr Index kMaxNodes = Index{1} << 28;
-
-Index node_count(const TriangleMesh& mesh) { return static_cast<Index>(mesh.points.size()); }
 
 // ---- The arguments
 
@@ -79,28 +76,25 @@ void complete_segments(TriangleMesh& mesh, const Boundary& boundary) {
     if (!std::binary_search(known.begin(), known.end(), s, less)) mesh.segments.push_back(s);
 }
 
-std::vector<Index> special_points(const TriangleMesh& mesh, const CornerTable& table,
-                                  const Graph& graph, const Boundary& boundary,
+std::vector<Index> special_points(const TriangleMesh& mesh, const Skeleton& skeleton,
                                   const CoarseningOptions& options) {
   std::vector<Index> special =
-      options.fixed ? *options.fixed : automatic_special_points(mesh, table);
-  special.insert(special.end(), boundary.anchors.begin(), boundary.anchors.end());
-  for (Index v = 0; v < graph.nodes(); ++v)
-    if (graph.arcs_of(v).empty()) special.push_back(v);
+      options.fixed ? *options.fixed : automatic_special_points(mesh, skeleton);
+  const std::vector<Index>& anchors = skeleton.boundary.anchors;
+  special.insert(special.end(), anchors.begin(), anchors.end());
+  for (Index v = 0; v < skeleton.graph.nodes(); ++v)
+    if (skeleton.graph.arcs_of(v).empty()) special.push_back(v);
   sort_unique(special);
   return special;
 }
 
-Level finest_level(TriangleMesh mesh, const CoarseningOptions& options) {
-  const CornerTable table = corner_table(mesh.triangles, node_count(mesh));
-  const Boundary boundary = boundary_of(mesh, table);
-  const Graph graph = mesh_graph(mesh.points, table, mesh.segments);
-  mesh.fixed = special_points(mesh, table, graph, boundary, options);
-  complete_segments(mesh, boundary);
+Level finest_level(TriangleMesh mesh, const Skeleton& skeleton, const CoarseningOptions& options) {
+  mesh.fixed = special_points(mesh, skeleton, options);
+  complete_segments(mesh, skeleton.boundary);
   Level level;
-  level.spacing = mesh_spacing(graph);
+  level.spacing = mesh_spacing(skeleton.graph);
   level.origin.resize(mesh.points.size());
-  for (Index v = 0; v < node_count(mesh); ++v) level.origin[v] = v;
+  std::iota(level.origin.begin(), level.origin.end(), Index{0});
   level.mesh = std::move(mesh);
   return level;
 }
@@ -117,8 +111,9 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
     return status.error();
 
   const std::size_t input_nodes = mesh.points.size();
+  Skeleton skeleton = skeleton_of(mesh);
   Hierarchy hierarchy;
-  hierarchy.levels.push_back(finest_level(std::move(mesh), options));
+  hierarchy.levels.push_back(finest_level(std::move(mesh), skeleton, options));
   while (hierarchy.levels.size() <= options.max_levels) {
     Level& finer = hierarchy.levels.back();
     const std::size_t nodes = finer.mesh.points.size();
@@ -126,7 +121,12 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
     const auto tell = [&](std::string_view phase) {
       return report(options.progress, phase, input_nodes - nodes, input_nodes);
     };
-    auto step = coarsen_level(finer, hierarchy.levels.size(), options, tell);
+    if (!tell("spacing")) {
+      hierarchy.complete = false;
+      break;
+    }
+    if (hierarchy.levels.size() > 1) skeleton = skeleton_of(finer.mesh);
+    auto step = coarsen_level(finer, skeleton, hierarchy.levels.size(), options, tell);
     hierarchy.complete = step.ok() || step.error().code != ErrorCode::kCancelled;
     if (!hierarchy.complete) break;
     if (!step) return step.error();

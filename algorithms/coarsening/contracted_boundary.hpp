@@ -34,6 +34,9 @@ class ContractedBoundary {
   /// Cost: O(b log b) for b boundary nodes, and the chains of the regions whose boxes overlap.
   std::vector<std::size_t> broken_edges(std::span<const Index> selected) const;
 
+  /// Whether any edge has left its chain. If none has, nothing is broken or left outside.
+  bool moves_anything() const { return !regions_.empty(); }
+
   /// Whether a point that was inside the domain, off the boundary, now is not: outside, or on a
   /// contracted edge.
   bool leaves_outside(Point2 p) const;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "wellspaced/kernel/distance.hpp"
-#include "wellspaced/kernel/local_search.hpp"
 
 namespace wellspaced {
 namespace {
@@ -27,27 +26,24 @@ struct MeasuredEdge {
 
 }  // namespace
 
-SearchCount protect_edges(const Graph& graph, std::span<const Point2> points,
+SearchCount protect_edges(LocalSearch& search, std::span<const Point2> points,
                           std::span<const ContractedEdge> edges,
                           std::span<const std::uint8_t> on_boundary, double ratio,
                           NodeSelection& selection) {
   SearchCount count;
-  LocalSearch search(graph);
   for (const ContractedEdge& edge : edges) {
     const Point2 a = points[edge.a], b = points[edge.b];
     const MeasuredEdge measured{a, b, distance(a, b)};
     const double reach = measured.length * std::sqrt(0.25 + ratio * ratio);
+    const auto reached = search.run(std::array{edge.a, edge.b},
+                                    [&](Index, double d) { return d <= measured.length; });
     std::size_t within_reach = 0;
-    search.run(
-        std::array{edge.a, edge.b}, [](Index, double) { return true; },
-        [&](Index v, double d) {
-          if (d > measured.length) return false;
-          within_reach += d <= reach;
-          const bool close = measured.has_in_diametral_circle(points[v]) &&
-                             measured.distance_of_line_from(points[v]) < ratio * measured.length;
-          if (close && !on_boundary[v]) selection.invalidate(v);
-          return true;
-        });
+    for (const Index v : reached) {
+      within_reach += search.distance(v) <= reach;
+      const bool close = measured.has_in_diametral_circle(points[v]) &&
+                         measured.distance_of_line_from(points[v]) < ratio * measured.length;
+      if (close && !on_boundary[v]) selection.invalidate(v);
+    }
     count.add(within_reach);
   }
   return count;

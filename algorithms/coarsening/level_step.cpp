@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <utility>
 
 #include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
@@ -43,25 +42,22 @@ void measure_paths(const Graph& graph, std::vector<double> start, double factor,
   if (!tree.depth.empty()) work.path_depth_mean = sum / static_cast<double>(tree.depth.size());
 }
 
-// Counts the nodes that a search of radius 2 f / beta inspects from every node considered.
-ConflictRule counting(ConflictRule rule, const Graph& graph, std::span<const double> f, double beta,
-                      SearchCount& count) {
-  const auto search = std::make_shared<LocalSearch>(graph);
-  return [=, &count](Index node, std::vector<Index>& conflicts) {
-    rule(node, conflicts);
-    search->run(
-        std::array{node}, [](Index, double) { return true; },
-        [&](Index, double d) { return d <= 2 * f[node] / beta; });
-    count.add(search->labelled());
-  };
+ConflictRule conflict_rule(const Graph& graph, LocalSearch& search, std::span<const double> f,
+                           const CoarseningOptions& options) {
+  return is_function_based(options) ? function_conflicts(search, f, options.beta)
+                                    : neighbor_conflicts(graph);
 }
 
-ConflictRule conflict_rule(const Graph& graph, std::span<const double> f,
-                           const CoarseningOptions& options, CoarseningWork& work) {
-  if (!is_function_based(options)) return neighbor_conflicts(graph);
-  ConflictRule rule = function_conflicts(graph, f, options.beta);
-  return options.count_work ? counting(std::move(rule), graph, f, options.beta, work.selection)
-                            : rule;
+// Counts the nodes that a search of radius 2 f / beta inspects from every node considered.
+NodeSelection::Considered search_counter(LocalSearch& search, std::span<const double> f,
+                                         const CoarseningOptions& options, SearchCount& count) {
+  if (!options.count_work || !is_function_based(options)) return {};
+  return [&search, &count, f, beta = options.beta](Index node) {
+    const double radius = 2 * f[node] / beta;
+    const auto within = [=](Index, double d) { return d <= radius; };
+    const std::size_t reached = search.run(std::array{node}, within).size();
+    count.add(reached + search.count_frontier());
+  };
 }
 
 std::vector<Index> interior_nodes(const Boundary& boundary) {
@@ -75,22 +71,13 @@ std::vector<Index> interior_nodes(const Boundary& boundary) {
 std::size_t drop_nodes_outside(const ContractedBoundary& contracted, std::span<const Point2> points,
                                std::span<const Index> nodes, NodeSelection& selection) {
   std::size_t dropped = 0;
+  if (!contracted.moves_anything()) return dropped;
   for (const Index v : nodes) {
     if (!selection.is_free(v) || !contracted.leaves_outside(points[v])) continue;
     selection.invalidate(v);
     ++dropped;
   }
   return dropped;
-}
-
-// Returns false when told to stop.
-bool select_in_order(std::span<const Index> order, NodeSelection& selection, const Tell& tell) {
-  constexpr std::size_t kNodesBetweenCalls = 1 << 16;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i % kNodesBetweenCalls == 0 && !tell("select")) return false;
-    selection.select(order[i]);
-  }
-  return true;
 }
 
 // For each node of the finer level its number in the new one, or kNoIndex.
@@ -134,13 +121,12 @@ std::vector<double> restricted(std::span<const double> values, std::span<const I
 
 }  // namespace
 
-Result<CoarseningStep> coarsen_level(const Level& finer, std::size_t level,
-                                     const CoarseningOptions& options, const Tell& tell) {
-  if (!tell("spacing")) return cancelled();
+Result<CoarseningStep> coarsen_level(const Level& finer, const Skeleton& skeleton,
+                                     std::size_t level, const CoarseningOptions& options,
+                                     const Tell& tell) {
   const std::span<const Point2> points = finer.mesh.points;
-  const CornerTable table =
-      corner_table(finer.mesh.triangles, static_cast<Index>(finer.mesh.points.size()));
-  const Graph graph = mesh_graph(points, table, finer.mesh.segments);
+  const Graph& graph = skeleton.graph;
+  const Boundary& boundary = skeleton.boundary;
   CoarseningWork work;
   std::vector<double> f;
   if (is_function_based(options)) {
@@ -150,24 +136,23 @@ Result<CoarseningStep> coarsen_level(const Level& finer, std::size_t level,
   }
 
   if (!tell("boundary")) return cancelled();
-  const Boundary boundary = boundary_of(finer.mesh, table);
-  NodeSelection selection(graph.nodes(), boundary.twins, conflict_rule(graph, f, options, work));
-  const auto ordered = [&](std::vector<Index> nodes) {
-    return random_order(std::move(nodes), finer.origin, static_cast<std::uint32_t>(level),
-                        options.seed);
-  };
+  const std::vector<std::uint64_t> keys =
+      random_keys(finer.origin, static_cast<std::uint32_t>(level), options.seed);
+  LocalSearch search(graph);
+  NodeSelection selection(graph.nodes(), boundary.twins, conflict_rule(graph, search, f, options),
+                          search_counter(search, f, options, work.selection));
   selection.force(finer.mesh.fixed);
-  for (const Index v : ordered(boundary.nodes)) selection.select(v);
+  if (!selection.select(boundary.nodes, keys, [&] { return tell("boundary"); })) return cancelled();
   const std::size_t chosen = selection.selected().size();
   const ContractedBoundary contracted = contract_and_repair(boundary, points, selection);
   const std::size_t reinstated = selection.selected().size() - chosen;
-  work.edge_protection = protect_edges(graph, points, contracted.edges(), boundary.on_boundary,
+  work.edge_protection = protect_edges(search, points, contracted.edges(), boundary.on_boundary,
                                        protection_ratio(options), selection);
 
   if (!tell("select")) return cancelled();
   const std::vector<Index> interior = interior_nodes(boundary);
   const std::size_t dropped = drop_nodes_outside(contracted, points, interior, selection);
-  if (!select_in_order(ordered(interior), selection, tell)) return cancelled();
+  if (!selection.select(interior, keys, [&] { return tell("select"); })) return cancelled();
 
   if (!tell("triangulate")) return cancelled();
   std::vector<Index> parent = selection.selected();

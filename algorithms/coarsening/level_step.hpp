@@ -8,6 +8,7 @@
 
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/algorithms/coarsening/hierarchy.hpp"
+#include "wellspaced/algorithms/coarsening/skeleton.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -20,11 +21,11 @@ struct CoarseningStep {
 /// Builds the next coarser level out of a level: its boundary first, its nodes by the order and
 /// rules of CHOICES 17.
 /// finer: as `coarsen` makes them, or any valid level whose fixed points hold the anchors of its
-///   boundary. level: the number of the level to build, >= 1.
-/// tell: called with the name of each phase; returns false to cancel.
+///   boundary. skeleton: that of its mesh. level: the number of the level to build, >= 1.
+/// tell: called with the name of each phase from "boundary" on; returns false to cancel.
 /// Errors: kCancelled, and those of `coarsen`.
-Result<CoarseningStep> coarsen_level(const Level& finer, std::size_t level,
-                                     const CoarseningOptions& options,
+Result<CoarseningStep> coarsen_level(const Level& finer, const Skeleton& skeleton,
+                                     std::size_t level, const CoarseningOptions& options,
                                      const std::function<bool(std::string_view)>& tell);
 
 }  // namespace wellspaced

@@ -9,12 +9,10 @@
 
 namespace wellspaced {
 
-/// Puts nodes into the random order of CHOICES 13: ascending by
-/// splitmix64(splitmix64(seed) ^ splitmix64((level << 32) + origin)). No two keys are equal.
-/// level: the level being built, >= 1. origin: for each node of the finer level its number in M_0.
-/// nodes: the nodes of the finer level to order.
-/// Cost: linear.
-std::vector<Index> random_order(std::vector<Index> nodes, std::span<const Index> origin,
-                                std::uint32_t level, std::uint64_t seed);
+/// The keys by which the nodes of a level are ordered (CHOICES 13):
+/// splitmix64(splitmix64(seed) ^ splitmix64((level << 32) + origin)). All are different.
+/// origin: for each node of the finer level its number in M_0. level: the one being built, >= 1.
+std::vector<std::uint64_t> random_keys(std::span<const Index> origin, std::uint32_t level,
+                                       std::uint64_t seed);
 
 }  // namespace wellspaced

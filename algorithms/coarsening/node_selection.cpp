@@ -2,48 +2,108 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <utility>
 
-#include "wellspaced/kernel/local_search.hpp"
-
 namespace wellspaced {
+namespace {
 
-ConflictRule function_conflicts(const Graph& graph, std::span<const double> f, double beta) {
-  const auto search = std::make_shared<LocalSearch>(graph);
-  return [=](Index node, std::vector<Index>& conflicts) {
+// Two ways along one path differ by rounding errors, some 2^-52 an edge. What is in conflict up to
+// this much more, on a path of any length that can occur, is near.
+constexpr double kNearly = 1 - 0x1p-20;
+
+constexpr std::size_t kNodesBetweenCalls = 1 << 16;
+
+}  // namespace
+
+ConflictRule function_conflicts(LocalSearch& search, std::span<const double> f, double beta) {
+  return [&search, f, beta](Index node, std::vector<Conflict>& conflicts) {
     const double radius = 3 * f[node] / beta;
-    search->run(
-        std::array{node},
-        [&](Index v, double d) { return f[node] + f[v] > beta * d && d <= radius; },
-        [&](Index v, double) { return conflicts.push_back(v), true; });
+    const auto reached = search.run(
+        std::array{node}, [&](Index v, double d) { return f[node] + f[v] > kNearly * (beta * d); });
+    for (const Index v : reached) {
+      const double d = search.distance(v);
+      conflicts.push_back({v, f[node] + f[v] > beta * d && d <= radius});
+    }
   };
 }
 
 ConflictRule neighbor_conflicts(const Graph& graph) {
-  return [&graph](Index node, std::vector<Index>& conflicts) {
-    for (const Graph::Arc& arc : graph.arcs_of(node)) conflicts.push_back(arc.target);
+  return [&graph](Index node, std::vector<Conflict>& conflicts) {
+    for (const Graph::Arc& arc : graph.arcs_of(node)) conflicts.push_back({arc.target});
   };
 }
 
-NodeSelection::NodeSelection(Index nodes, const TwinNodes& twins, ConflictRule rule)
-    : twins_(twins), rule_(std::move(rule)), states_(nodes, State::kFree) {}
+NodeSelection::NodeSelection(Index nodes, const TwinNodes& twins, ConflictRule rule,
+                             Considered considered)
+    : twins_(twins),
+      rule_(std::move(rule)),
+      considered_(std::move(considered)),
+      states_(nodes, State::kFree) {}
 
 void NodeSelection::force(std::span<const Index> nodes) {
   for (const Index v : nodes) mark_selected(v);
   for (const Index v : nodes) {
+    pool_.clear();
     find_conflicts(v);
-    invalidate_conflicts();
+    if (considered_) considered_(v);
+    invalidate_conflicts(0);
   }
 }
 
-void NodeSelection::select(Index v) {
-  if (!is_free(v)) return;
+bool NodeSelection::select(std::span<const Index> nodes, std::span<const std::uint64_t> keys,
+                           const std::function<bool()>& keep_going) {
+  for (const Index v : nodes)
+    if (states_[v] == State::kFree) states_[v] = State::kCandidate;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (i % kNodesBetweenCalls == 0 && !keep_going()) return false;
+    if (states_[nodes[i]] == State::kCandidate) decide(nodes[i], keys);
+  }
+  return true;
+}
+
+// An explicit stack in place of recursion: the top waits for nobody, or for the one that comes on
+// top of it next.
+void NodeSelection::decide(Index v, std::span<const std::uint64_t> keys) {
+  pool_.clear();
+  wait_for(v, keys);
+  while (!waiting_.empty()) {
+    Waiting& top = waiting_.back();
+    if (states_[top.node] == State::kCandidate) {
+      const Index before = next_before(top, keys);
+      if (before != kNoIndex) {
+        wait_for(before, keys);
+        continue;
+      }
+      consider(top.node, top.conflicts);
+    }
+    pool_.resize(top.conflicts);
+    waiting_.pop_back();
+  }
+}
+
+void NodeSelection::wait_for(Index v, std::span<const std::uint64_t> keys) {
+  waiting_.push_back({v, key_of(v, keys), pool_.size(), pool_.size()});
   find_conflicts(v);
-  const auto is_chosen = [&](Index w) { return is_selected(w); };
-  if (std::any_of(conflicts_.begin(), conflicts_.end(), is_chosen)) return;
+}
+
+// The next conflict that is undecided and comes before the waiting node; kNoIndex if none is left.
+Index NodeSelection::next_before(Waiting& waiting, std::span<const std::uint64_t> keys) const {
+  for (; waiting.next < pool_.size(); ++waiting.next) {
+    const Index w = pool_[waiting.next].node;
+    if (states_[w] == State::kCandidate && key_of(w, keys) < waiting.key) return w;
+  }
+  return kNoIndex;
+}
+
+// The turn of v has come: all before it are decided.
+void NodeSelection::consider(Index v, std::size_t conflicts) {
+  if (considered_) considered_(v);
+  const bool meets_selected =
+      std::any_of(pool_.begin() + static_cast<std::ptrdiff_t>(conflicts), pool_.end(),
+                  [&](const Conflict& c) { return c.holds && is_selected(c.node); });
+  if (meets_selected) return invalidate(v);
   mark_selected(v);
-  invalidate_conflicts();
+  invalidate_conflicts(conflicts);
 }
 
 void NodeSelection::invalidate(Index v) {
@@ -59,17 +119,23 @@ std::vector<Index> NodeSelection::selected() const {
   return nodes;
 }
 
+std::uint64_t NodeSelection::key_of(Index v, std::span<const std::uint64_t> keys) const {
+  std::uint64_t key = keys[v];
+  twins_.for_each(v, [&](Index w) { key = std::min(key, keys[w]); });
+  return key;
+}
+
 void NodeSelection::find_conflicts(Index v) {
-  conflicts_.clear();
-  twins_.for_each(v, [&](Index w) { rule_(w, conflicts_); });
+  twins_.for_each(v, [&](Index w) { rule_(w, pool_); });
 }
 
 void NodeSelection::mark_selected(Index v) {
   twins_.for_each(v, [&](Index w) { states_[w] = State::kSelected; });
 }
 
-void NodeSelection::invalidate_conflicts() {
-  for (const Index w : conflicts_) invalidate(w);
+void NodeSelection::invalidate_conflicts(std::size_t conflicts) {
+  for (std::size_t i = conflicts; i < pool_.size(); ++i)
+    if (pool_[i].holds) invalidate(pool_[i].node);
 }
 
 }  // namespace wellspaced

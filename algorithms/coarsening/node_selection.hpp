@@ -8,21 +8,29 @@
 
 #include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
 #include "wellspaced/kernel/graph.hpp"
+#include "wellspaced/kernel/local_search.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
 
-/// Appends to `conflicts` the nodes in conflict with `node` (itself may be among them).
-using ConflictRule = std::function<void(Index node, std::vector<Index>& conflicts)>;
+/// A node that another is, or nearly is, in conflict with. Nearly: not by the rule as asked from
+/// the other's side, but perhaps, by a rounding error, as asked from its own.
+struct Conflict {
+  Index node = 0;
+  bool holds = true;
+};
+
+/// Appends the conflicts of a node, itself possibly among them.
+using ConflictRule = std::function<void(Index node, std::vector<Conflict>& conflicts)>;
 
 /// Function-based: i and j are in conflict when f(i) + f(j) > beta d_G(i, j) and d_G(i, j) is at
 /// most 3 f(i) / beta, d_G being summed from i outwards.
 /// f: 1-Lipschitz in the graph metric (coarsened_spacing makes it so). Then every node on a
 ///   shortest path to a conflict is itself in conflict, and only such nodes are searched through.
-/// Requires: graph and f outlive the rule; beta > 1.
+/// search: in the graph of the metric. Requires: search and f outlive the rule; beta > 1.
 /// Cost of a call: O(k log k) for k conflicts.
 /// See: sections 7.3 and 8.2, Definition 5.3.4, CHOICES 1, 2 and 18.
-ConflictRule function_conflicts(const Graph& graph, std::span<const double> f, double beta);
+ConflictRule function_conflicts(LocalSearch& search, std::span<const double> f, double beta);
 
 /// MIS-based: i and j are in conflict when an edge joins them.
 /// Requires: graph outlives the rule. See: section 5.2.1, Figure 5.2.
@@ -31,20 +39,32 @@ ConflictRule neighbor_conflicts(const Graph& graph);
 /// The choice while it is being made. Twins are selected, or made invalid, together.
 class NodeSelection {
  public:
+  /// Told of every node whose turn comes before it is invalid.
+  using Considered = std::function<void(Index node)>;
+
   /// Requires: twins outlive the selection.
-  NodeSelection(Index nodes, const TwinNodes& twins, ConflictRule rule);
+  NodeSelection(Index nodes, const TwinNodes& twins, ConflictRule rule, Considered considered = {});
 
   bool is_selected(Index v) const { return states_[v] == State::kSelected; }
   /// Neither selected nor invalid.
-  bool is_free(Index v) const { return states_[v] == State::kFree; }
+  bool is_free(Index v) const { return states_[v] <= State::kCandidate; }
 
   /// Selects nodes whatever they conflict with, then makes all others in conflict with them
   /// invalid (CHOICES 8).
   void force(std::span<const Index> nodes);
 
-  /// Selects v if it is free and in conflict with no selected node, and makes the nodes in
-  /// conflict with it invalid.
-  void select(Index v);
+  /// Considers nodes in ascending order of their keys: one that is free and in conflict with no
+  /// selected node is selected, and makes those in conflict with it invalid. No node that was
+  /// considered is free afterwards.
+  ///
+  /// The order is kept in effect only. A node's fate depends on the nodes in conflict with it that
+  /// come before it, and theirs on others near by; so the nodes are taken as they lie in memory,
+  /// and each is decided as soon as those before it are.
+  /// keys: one a node of the mesh, all different. Twins come with the lower of their keys.
+  /// keep_going: asked now and then; false to stop, with the choice unfinished.
+  /// Returns: false when told to stop.
+  bool select(std::span<const Index> nodes, std::span<const std::uint64_t> keys,
+              const std::function<bool()>& keep_going);
 
   /// Makes v invalid unless it is selected.
   void invalidate(Index v);
@@ -53,16 +73,32 @@ class NodeSelection {
   std::vector<Index> selected() const;
 
  private:
-  enum class State : std::uint8_t { kFree, kInvalid, kSelected };
+  enum class State : std::uint8_t { kFree, kCandidate, kInvalid, kSelected };
 
+  // A candidate that waits for those before it among its conflicts, which are those from
+  // `conflicts` on in the pool.
+  struct Waiting {
+    Index node = 0;
+    std::uint64_t key = 0;
+    std::size_t conflicts = 0;
+    std::size_t next = 0;
+  };
+
+  std::uint64_t key_of(Index v, std::span<const std::uint64_t> keys) const;
+  void wait_for(Index v, std::span<const std::uint64_t> keys);
+  void decide(Index v, std::span<const std::uint64_t> keys);
+  Index next_before(Waiting& waiting, std::span<const std::uint64_t> keys) const;
+  void consider(Index v, std::size_t conflicts);
   void find_conflicts(Index v);
   void mark_selected(Index v);
-  void invalidate_conflicts();
+  void invalidate_conflicts(std::size_t conflicts);
 
   const TwinNodes& twins_;
   ConflictRule rule_;
+  Considered considered_;
   std::vector<State> states_;
-  std::vector<Index> conflicts_;  // of the node last looked at
+  std::vector<Waiting> waiting_;
+  std::vector<Conflict> pool_;
 };
 
 }  // namespace wellspaced

@@ -139,14 +139,14 @@ void pin_far_points(std::span<const Point2> points, std::span<const Index> loop,
 
 }  // namespace
 
-std::vector<Index> automatic_special_points(const TriangleMesh& mesh, const CornerTable& table) {
-  const Boundary boundary = boundary_of(mesh, table);
+std::vector<Index> automatic_special_points(const TriangleMesh& mesh, const Skeleton& skeleton) {
+  const Boundary& boundary = skeleton.boundary;
   const Walls walls(boundary_segments(boundary));
   std::vector<std::uint8_t> pinned(mesh.points.size(), 0);
   for (const Index v : boundary.nodes) pinned[v] = is_corner(mesh.points, walls.from(v));
 
-  auto loops = face_loops(table, walls);
-  append_loose_loops(table, boundary.curves, loops);
+  auto loops = face_loops(skeleton.corners, walls);
+  append_loose_loops(skeleton.corners, boundary.curves, loops);
   for (const auto& loop : loops) pin_far_points(mesh.points, loop, pinned);
 
   std::vector<Index> special;

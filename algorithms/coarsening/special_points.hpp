@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "wellspaced/kernel/corner_table.hpp"
+#include "wellspaced/algorithms/coarsening/skeleton.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
@@ -12,10 +12,9 @@ namespace wellspaced {
 /// than 30 degrees, where markers change, where other than two boundary edges meet; and on each
 /// closed loop that has fewer than 3 of these, as many of its farthest points as make 3 (4 on an
 /// outer boundary). Boundary edges are the segments and the edges with a triangle on one side.
-/// table: the corners of the mesh's triangles.
 /// Returns: ascending node numbers.
 /// Cost: O(b log b) for b boundary nodes, after a pass over the mesh.
 /// See: section 8.2, CHOICES 6.
-std::vector<Index> automatic_special_points(const TriangleMesh& mesh, const CornerTable& table);
+std::vector<Index> automatic_special_points(const TriangleMesh& mesh, const Skeleton& skeleton);
 
 }  // namespace wellspaced

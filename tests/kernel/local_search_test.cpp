@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "tests/support/slow_shortest_paths.hpp"
 
@@ -15,31 +16,29 @@ using test::random_graph;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(LocalSearch, SettlesTheNodesWithinARadiusInOrderOfDistance) {
+// Infinite where the search did not get.
+std::vector<double> distances(const Graph& graph, const LocalSearch& search,
+                              std::span<const Index> reached) {
+  std::vector<double> result(graph.nodes(), kInfinity);
+  for (const Index v : reached) {
+    EXPECT_TRUE(std::isinf(result[v])) << "reached twice";
+    result[v] = search.distance(v);
+  }
+  return result;
+}
+
+TEST(LocalSearch, ReachesTheNodesWithinARadius) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Graph graph = random_graph(seed);
     LocalSearch search(graph);
     for (Index source = 0; source < graph.nodes(); source += 37) {
       std::vector<double> start(graph.nodes(), kInfinity);
       start[source] = 0;
-      const auto expected = bellman_ford(graph, start);
-      std::vector<double> found(graph.nodes(), kInfinity);
-      double last = 0;
-      const double radius = 4;
-      search.run(
-          std::vector{source}, [&](Index, double d) { return d <= radius; },
-          [&](Index v, double d) {
-            EXPECT_TRUE(std::isinf(found[v])) << "settled twice";
-            EXPECT_LE(last, d);
-            last = found[v] = d;
-            return true;
-          });
-      std::size_t within = 0;
-      for (Index v = 0; v < graph.nodes(); ++v) {
-        EXPECT_EQ(found[v], expected[v] <= radius ? expected[v] : kInfinity);
-        within += expected[v] <= radius;
-      }
-      EXPECT_EQ(search.labelled(), within);
+      auto expected = bellman_ford(graph, start);
+      for (double& d : expected)
+        if (d > 4) d = kInfinity;
+      const auto reached = search.run(std::vector{source}, [](Index, double d) { return d <= 4; });
+      EXPECT_EQ(distances(graph, search, reached), expected);
     }
   }
 }
@@ -49,22 +48,28 @@ TEST(LocalSearch, MeasuresFromTheNearestOfSeveralSources) {
   LocalSearch search(graph);
   std::vector<double> start(graph.nodes(), kInfinity);
   start[5] = start[200] = 0;
-  const auto expected = bellman_ford(graph, start);
-  std::vector<double> found(graph.nodes(), kInfinity);
-  search.run(
-      std::vector<Index>{5, 200, 5}, [](Index, double) { return true; },
-      [&](Index v, double d) { return found[v] = d, true; });
-  EXPECT_EQ(found, expected);
+  const auto reached =
+      search.run(std::vector<Index>{5, 200, 5}, [](Index, double) { return true; });
+  EXPECT_EQ(distances(graph, search, reached), bellman_ford(graph, start));
 }
 
-TEST(LocalSearch, EndsWhenSettleSaysSoAndCountsTheFrontier) {
-  // A path 0 - 1 - 2 - 3 of unit edges, searched from 1 up to distance 0: the frontier is 0 and 2.
+TEST(LocalSearch, DoesNotPassThroughNodesThatAreNotAccepted) {
+  // A path 0 - 1 - 2 - 3 of unit edges.
   const Graph graph{{0, 1, 3, 5, 6}, {{1, 1.0}, {0, 1.0}, {2, 1.0}, {1, 1.0}, {3, 1.0}, {2, 1.0}}};
   LocalSearch search(graph);
-  search.run(
-      std::vector<Index>{1}, [](Index, double) { return true; },
-      [](Index, double d) { return d <= 0; });
-  EXPECT_EQ(search.labelled(), 3u);
+  const auto reached = search.run(std::vector<Index>{0}, [](Index v, double) { return v != 2; });
+  EXPECT_EQ(reached.size(), 2u);
+  EXPECT_EQ(search.count_frontier(), 1u);
+}
+
+TEST(LocalSearch, CorrectsAPathThatItFoundTooEarly) {
+  // From 0 to 1 at 9 directly, found first, but at 3 over 2 and 3; and on to 4.
+  const Graph graph{
+      {0, 2, 5, 7, 9, 10},
+      {{1, 9}, {2, 1}, {0, 9}, {3, 1}, {4, 1}, {0, 1}, {3, 1}, {2, 1}, {1, 1}, {1, 1}}};
+  LocalSearch search(graph);
+  const auto reached = search.run(std::vector<Index>{0}, [](Index, double) { return true; });
+  EXPECT_EQ(distances(graph, search, reached), (std::vector<double>{0, 3, 1, 2, 4}));
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST(ContractAndRepair, TakesNodesBackUntilNothingIsBroken) {
   Curves curves = square();
   curves.add({{2, -0.9}, {1.5, -0.5}, {2.5, -0.5}});
   const auto nodes = static_cast<Index>(curves.points.size());
-  NodeSelection selection(nodes, curves.boundary.twins, [](Index, std::vector<Index>&) {});
+  NodeSelection selection(nodes, curves.boundary.twins, [](Index, std::vector<Conflict>&) {});
   selection.force(std::vector<Index>{0, 3, 4, 5, 6, 7, 8});
   const ContractedBoundary repaired =
       contract_and_repair(curves.boundary, curves.points, selection);

@@ -15,6 +15,7 @@ namespace {
 struct Protected {
   TriangleMesh mesh;
   Graph graph;
+  LocalSearch search;
   Boundary boundary;
   std::vector<ContractedEdge> edges;
   NodeSelection selection;
@@ -22,8 +23,9 @@ struct Protected {
   Protected(const TriangleMesh& grid, Index stride)
       : mesh(grid),
         graph(mesh_graph(mesh)),
+        search(graph),
         boundary(boundary_of(mesh, corner_table(mesh.triangles, graph.nodes()))),
-        selection(graph.nodes(), boundary.twins, [](Index, std::vector<Index>&) {}) {
+        selection(graph.nodes(), boundary.twins, [](Index, std::vector<Conflict>&) {}) {
     std::vector<std::uint8_t> survives(graph.nodes(), 0);
     for (const BoundaryCurve& curve : boundary.curves)
       for (std::size_t i = 0; i < curve.nodes.size(); i += stride) survives[curve.nodes[i]] = 1;
@@ -47,7 +49,7 @@ TEST(ProtectEdges, MakesInvalidExactlyTheInteriorNodesInTheZones) {
     for (const double ratio : {0.0, 0.15, 0.2, 0.5}) {
       const TriangleMesh grid = test::grid_mesh({.nx = 20, .ny = 20, .hole = 0.02, .seed = seed});
       Protected domain(grid, 5);
-      protect_edges(domain.graph, domain.mesh.points, domain.edges, domain.boundary.on_boundary,
+      protect_edges(domain.search, domain.mesh.points, domain.edges, domain.boundary.on_boundary,
                     ratio, domain.selection);
       for (Index v = 0; v < domain.graph.nodes(); ++v) {
         const bool expected = !domain.boundary.on_boundary[v] && domain.lies_too_close(v, ratio);
@@ -59,7 +61,7 @@ TEST(ProtectEdges, MakesInvalidExactlyTheInteriorNodesInTheZones) {
 TEST(ProtectEdges, ExemptsSelectedNodes) {
   Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 20);
   domain.selection.force(std::vector<Index>{31});  // (10, 1), above the middle of the lower edge
-  protect_edges(domain.graph, domain.mesh.points, domain.edges, domain.boundary.on_boundary, 0.2,
+  protect_edges(domain.search, domain.mesh.points, domain.edges, domain.boundary.on_boundary, 0.2,
                 domain.selection);
   EXPECT_TRUE(domain.selection.is_selected(31));
   EXPECT_FALSE(domain.selection.is_free(32));
@@ -67,7 +69,7 @@ TEST(ProtectEdges, ExemptsSelectedNodes) {
 
 TEST(ProtectEdges, CountsTheNodesWithinReachOfEachEdge) {
   Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 2);
-  const SearchCount count = protect_edges(domain.graph, domain.mesh.points, domain.edges,
+  const SearchCount count = protect_edges(domain.search, domain.mesh.points, domain.edges,
                                           domain.boundary.on_boundary, 0.2, domain.selection);
   EXPECT_EQ(count.searches, 40u);
   // Edges of length 2, reach 1.077: both ends, the node between, and each end's neighbours.

@@ -14,8 +14,7 @@ namespace {
 using Nodes = std::vector<Index>;
 
 Nodes special_points(const TriangleMesh& mesh) {
-  return automatic_special_points(
-      mesh, corner_table(mesh.triangles, static_cast<Index>(mesh.points.size())));
+  return automatic_special_points(mesh, skeleton_of(mesh));
 }
 
 // A regular polygon, its centre the last node.
