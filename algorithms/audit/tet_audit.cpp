@@ -13,12 +13,13 @@
 namespace wellspaced::audit {
 namespace {
 
-void audit_in_local_order(const TetMesh& mesh, Report& report) {
+void audit_in_local_order(const TetMesh& mesh, const TetAuditOptions& options, Report& report) {
   const TetFaces faces =
       pair_tet_faces(mesh.tets, mesh.facets, static_cast<Index>(mesh.points.size()));
   audit_tet_topology(mesh, faces, report);
   const std::vector<std::int8_t> orientation = tet_orientations(mesh);
   audit_tet_embedding(mesh, faces, orientation, report);
+  if (options.domain != nullptr) audit_tet_domain(mesh, faces, *options.domain, report);
   audit_tet_delaunay(mesh, faces, orientation, report);
   audit_tet_shape(mesh, report);
 }
@@ -37,12 +38,12 @@ void restore_numbers(Check& check, const TetLocalOrder& order) {
 
 }  // namespace
 
-Report audit_tet_mesh(const TetMesh& mesh) {
+Report audit_tet_mesh(const TetMesh& mesh, const TetAuditOptions& options) {
   Report report;
   if (!audit_tet_syntax(mesh, report)) return report;
   const std::size_t syntax = report.checks.size();
   const TetLocalOrder order = local_order(mesh);
-  audit_in_local_order(order.mesh, report);
+  audit_in_local_order(order.mesh, options, report);
   for (Check& check : std::span(report.checks).subspan(syntax)) restore_numbers(check, order);
   for (Worst& worst : report.worst)
     for (Index& id : worst.ids) id = order.given_tet[id];

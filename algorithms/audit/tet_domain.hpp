@@ -1,0 +1,50 @@
+// Does a tetrahedral mesh conform to a polyhedral domain? Decided exactly.
+#pragma once
+
+#include <vector>
+
+#include "wellspaced/algorithms/audit/report.hpp"
+#include "wellspaced/algorithms/audit/tet_faces.hpp"
+#include "wellspaced/kernel/mesh.hpp"
+
+namespace wellspaced::audit {
+
+/// A facet: polygons in one plane. Their edges, those that occur twice cancelling, bound it; so a
+/// hole is a further polygon, and a dangling edge a polygon of two points.
+using FacetPolygons = std::vector<std::vector<Index>>;
+
+/// A domain in space: points, segments beside the edges of facets, facets, and one point in each
+/// cavity.
+struct PolyhedralDomain {
+  std::vector<Point3> points;
+  std::vector<Segment> segments;
+  std::vector<FacetPolygons> facets;
+  std::vector<Point3> holes;
+};
+
+/// Judges a mesh against the domain that it should be a mesh of. Checks, all required:
+///   domain_points_are_nodes    at every point of the domain there is a node
+///   domain_segments_are_edges  every segment and every edge of a polygon is a chain of mesh edges;
+///                              ids count the segments, then the polygons' edges in order
+///   domain_facets_are_faces    every facet is a union of mesh faces
+///   boundary_on_domain         every face with a tet on one side only is part of such a union; not
+///                              judged for a domain without facets
+///   holes_are_open             no tet contains a hole point, inside or on its boundary; only for a
+///                              domain with hole points
+/// A node counts as on a line or plane if it is within 2 units in the last place of each of its
+/// coordinates. For a facet whose own points are not in one plane that exactly, the allowance is
+/// doubled until they are. A facet whose points are all on one line is no union of faces.
+/// Measure: facet_allowance, the largest such allowance, in units in the last place.
+///
+/// How a union is found. The edges of the facet have been found as chains of mesh edges. The mesh
+/// faces near its plane fall into pieces that these chains separate. A piece with a rim elsewhere
+/// is no part of the facet. Of the others, exactly one on either side of a bounding edge is, and on
+/// both sides or none of an edge that cancels. If these conditions can be met, the pieces chosen
+/// have the facet's boundary, and in a plane there is just one set that has it.
+/// Requires: audit_tet_syntax passed; faces is of this mesh; indices of the domain in range.
+/// Cost: O(n log n) for n tets, and the faces on the facets times the degrees of their nodes.
+/// See: section 4.2.
+void audit_tet_domain(const TetMesh& mesh, const TetFaces& faces, const PolyhedralDomain& domain,
+                      Report& report);
+
+}  // namespace wellspaced::audit

@@ -1,0 +1,157 @@
+#include "wellspaced/algorithms/audit/tet_domain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tests/support/audit_tet_meshes.hpp"
+#include "wellspaced/algorithms/audit/tet_audit.hpp"
+
+namespace wellspaced {
+namespace {
+
+using audit::PolyhedralDomain;
+
+audit::Report audit_against(const TetMesh& mesh, const PolyhedralDomain& domain) {
+  audit::TetAuditOptions options;
+  options.domain = &domain;
+  return audit::audit_tet_mesh(mesh, options);
+}
+
+// Adds the six rectangles of a box to a domain.
+void add_box(PolyhedralDomain& domain, Point3 low, Point3 high) {
+  const auto first = static_cast<Index>(domain.points.size());
+  for (int i = 0; i < 8; ++i)
+    domain.points.push_back(
+        {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  for (const std::array<Index, 4>& r : {std::array<Index, 4>{0, 1, 3, 2},
+                                        {4, 5, 7, 6},
+                                        {0, 1, 5, 4},
+                                        {2, 3, 7, 6},
+                                        {0, 2, 6, 4},
+                                        {1, 3, 7, 5}})
+    domain.facets.push_back({{first + r[0], first + r[1], first + r[2], first + r[3]}});
+}
+
+bool everywhere(Index, Index, Index) { return true; }
+
+TEST(PolyhedralDomain, IsMetByABox) {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {3, 2, 2});
+  const auto report = audit_against(test::cubes(3, 2, 2, everywhere), domain);
+  EXPECT_TRUE(report.pass());
+  EXPECT_EQ(report.measure("facet_allowance")->value, 2);
+}
+
+TEST(PolyhedralDomain, IsMetByABoxWithACavity) {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {5, 5, 5});
+  add_box(domain, {1, 1, 1}, {4, 4, 4});
+  const auto solid = [](Index x, Index y, Index z) {
+    return !(1 <= x && x < 4 && 1 <= y && y < 4 && 1 <= z && z < 4);
+  };
+  domain.holes = {{2.5, 2.25, 2}};
+  EXPECT_TRUE(audit_against(test::cubes(5, 5, 5, solid), domain).pass());
+  const auto filled = audit_against(test::cubes(5, 5, 5, everywhere), domain);
+  EXPECT_GT(filled.check("holes_are_open")->violations, 0u);
+  domain.facets.resize(6);
+  const auto unbounded = audit_against(test::cubes(5, 5, 5, solid), domain);
+  EXPECT_EQ(unbounded.check("boundary_on_domain")->violations, 108u);
+}
+
+// A frame: the facets above and below have a square hole; one polygon more.
+PolyhedralDomain frame() {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {3, 3, 1});
+  add_box(domain, {1, 1, 0}, {2, 2, 1});
+  domain.facets[0].push_back(domain.facets[6][0]);
+  domain.facets[1].push_back(domain.facets[7][0]);
+  domain.facets.erase(domain.facets.begin() + 6, domain.facets.begin() + 8);
+  return domain;
+}
+
+bool in_frame(Index x, Index y, Index) { return x != 1 || y != 1; }
+
+TEST(PolyhedralDomain, HasFacetsWithHoles) {
+  EXPECT_TRUE(audit_against(test::cubes(3, 3, 1, in_frame), frame()).pass());
+  // Filling the hole of the frame: the inner walls are faces still, but the caps are too many.
+  const auto filled = audit_against(test::cubes(3, 3, 1, everywhere), frame());
+  EXPECT_EQ(filled.check("boundary_on_domain")->violations, 4u);
+}
+
+TEST(PolyhedralDomain, HasInnerFacetsAndDanglingEdges) {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {2, 2, 2});
+  const Index first = 8;
+  domain.points.insert(domain.points.end(),
+                       {{1, 0, 0}, {1, 2, 0}, {1, 2, 2}, {1, 0, 2}, {1, 1, 1}});
+  domain.facets.push_back({{first, first + 1, first + 2, first + 3}});
+  domain.facets[0].push_back({first, first + 1});  // on the bottom, an edge there and back
+  domain.segments.push_back({0, first + 4, 0});    // along a diagonal
+  const auto report = audit_against(test::cubes(2, 2, 2, everywhere), domain);
+  EXPECT_TRUE(report.pass());
+}
+
+TEST(PolyhedralDomain, NamesWhatIsMissing) {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {2, 2, 2});
+  domain.points.push_back({0.5, 1, 1});
+  domain.segments.push_back({1, 6, 0});  // a diagonal that the cubes are not cut along
+  domain.facets.push_back({{0, 1, 6}});
+  const auto report = audit_against(test::cubes(2, 2, 2, everywhere), domain);
+  EXPECT_EQ(report.check("domain_points_are_nodes")->ids, std::vector<Index>{8});
+  EXPECT_EQ(report.check("domain_segments_are_edges")->ids, (std::vector<Index>{0, 26}));
+  EXPECT_EQ(report.check("domain_facets_are_faces")->ids, std::vector<Index>{6});
+}
+
+TEST(PolyhedralDomain, RefusesAFacetWithoutArea) {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {2, 2, 2});
+  domain.points.push_back({1, 0, 0});
+  domain.facets.push_back({{0, 8, 1}});
+  const auto report = audit_against(test::cubes(2, 2, 2, everywhere), domain);
+  EXPECT_EQ(report.check("domain_facets_are_faces")->ids, std::vector<Index>{6});
+}
+
+TEST(PolyhedralDomain, SeesAMissingTet) {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {3, 2, 2});
+  TetMesh mesh = test::cubes(3, 2, 2, everywhere);
+  mesh.tets.erase(mesh.tets.begin() + 7);
+  EXPECT_GT(audit_against(mesh, domain).check("boundary_on_domain")->violations, 0u);
+}
+
+TEST(PolyhedralDomain, SeesABoundaryNodeOffItsFacet) {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {2, 2, 2});
+  TetMesh mesh = test::cubes(2, 2, 2, everywhere);
+  const auto middle = std::find(mesh.points.begin(), mesh.points.end(), Point3{1, 1, 2});
+  middle->z = std::nextafter(2, 3);
+  EXPECT_TRUE(audit_against(mesh, domain).pass());  // within the allowance
+  for (int i = 0; i < 4; ++i) middle->z = std::nextafter(middle->z, 3);
+  const auto report = audit_against(mesh, domain);
+  EXPECT_EQ(report.check("domain_facets_are_faces")->ids, std::vector<Index>{1});
+}
+
+// Turned about two axes: neither the domain's points nor the mesh's are exactly in planes any more.
+TEST(PolyhedralDomain, AllowsForRoundingOfSlopingFacets) {
+  const auto turned = [](Point3 p) {
+    const Point3 q{p.x * 0.8 - p.y * 0.6, p.x * 0.6 + p.y * 0.8, p.z};
+    return Point3{q.x, q.y * 0.96 - q.z * 0.28, q.y * 0.28 + q.z * 0.96};
+  };
+  PolyhedralDomain domain = frame();
+  for (Point3& p : domain.points) p = turned(p);
+  TetMesh mesh = test::cubes(3, 3, 1, in_frame);
+  for (Point3& p : mesh.points) p = turned(p);
+  const auto report = audit_against(mesh, domain);
+  EXPECT_TRUE(report.check("domain_points_are_nodes")->pass());
+  EXPECT_TRUE(report.check("domain_segments_are_edges")->pass());
+  EXPECT_TRUE(report.check("domain_facets_are_faces")->pass());
+  EXPECT_TRUE(report.check("boundary_on_domain")->pass());
+  EXPECT_LE(report.measure("facet_allowance")->value, 64);
+}
+
+}  // namespace
+}  // namespace wellspaced
