@@ -6,12 +6,12 @@
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/algorithms/audit/half_edges.hpp"
+#include "wellspaced/algorithms/audit/shape_tools.hpp"
 #include "wellspaced/kernel/distance.hpp"
 
 namespace wellspaced::audit {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRelativeError = 1e-6;
 constexpr double kNegligible = 0x1p-40;  // of the largest coordinate
 

@@ -3,12 +3,10 @@
 
 #include <array>
 
+#include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced::audit {
-
-using Corners3 = std::array<Point3, 3>;
-using TetCorners = std::array<Point3, 4>;
 
 /// Whether the closed segment from p to q and the closed triangle have a point in common.
 /// Requires: p != q; the triangle is not flat.

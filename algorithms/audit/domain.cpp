@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/algorithms/audit/exact_tests.hpp"
+#include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/algorithms/audit/stars.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced::audit {
 namespace {
-
-constexpr double kLargest = std::numeric_limits<double>::max();
-
-bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 // The nodes sorted by place, to find those at a given one.
 class NodesByPlace {
@@ -40,16 +35,12 @@ class NodesByPlace {
   std::vector<Index> nodes_;
 };
 
-double moved(double x, double towards) {
-  return std::nextafter(std::nextafter(x, towards), towards);
-}
-
 // Whether the line through a and b passes through the box of 2 units in the last place around p.
 bool passes_near(Point2 a, Point2 b, Point2 p) {
   const int sign = orient2d(a, b, p);
   if (sign == 0) return true;
-  const double left = moved(p.x, -kLargest), right = moved(p.x, kLargest);
-  const double low = moved(p.y, -kLargest), high = moved(p.y, kLargest);
+  const double left = moved_by_ulps(p.x, -2), right = moved_by_ulps(p.x, 2);
+  const double low = moved_by_ulps(p.y, -2), high = moved_by_ulps(p.y, 2);
   for (const Point2 corner : {Point2{left, low}, {right, low}, {left, high}, {right, high}})
     if (orient2d(a, b, corner) != sign) return true;
   return false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
+#include "wellspaced/algorithms/audit/check_lists.hpp"
 #include "wellspaced/algorithms/audit/triangle_overlap.hpp"
 #include "wellspaced/algorithms/audit/winding.hpp"
 #include "wellspaced/kernel/predicates.hpp"
@@ -97,15 +98,6 @@ std::uint64_t count_coincident(const TriangleMesh& mesh, std::vector<Index> node
   return count;
 }
 
-void audit_orientations(const std::vector<std::int8_t>& orientation, Report& report) {
-  Check& inverted = report.add_check("no_inverted", Item::kTriangle, true);
-  for (Index t = 0; t < orientation.size(); ++t)
-    if (orientation[t] < 0) inverted.violate({t});
-  Check& flat = report.add_check("no_flat", Item::kTriangle, true);
-  for (Index t = 0; t < orientation.size(); ++t)
-    if (orientation[t] == 0) flat.violate({t});
-}
-
 }  // namespace
 
 std::vector<std::int8_t> orientations(const TriangleMesh& mesh) {
@@ -126,7 +118,7 @@ bool is_clockwise(const TriangleMesh& mesh) {
 
 void audit_embedding(const TriangleMesh& mesh, const HalfEdges& half_edges,
                      const std::vector<std::int8_t>& orientation, Report& report) {
-  audit_orientations(orientation, report);
+  check_orientations(report, Item::kTriangle, orientation);
   const WindingVerdict verdict = cover_at_most_once(boundary_chain(mesh, half_edges, orientation));
   Check& check = report.add_check("no_overlap", Item::kTrianglePair, true);
   if (!verdict.at_most_once) OverlapSearch(mesh, orientation).run(check);

@@ -13,11 +13,10 @@
 #include "wellspaced/algorithms/audit/intersection.hpp"
 #include "wellspaced/algorithms/audit/level_spacing.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
+#include "wellspaced/algorithms/audit/places.hpp"
 
 namespace wellspaced::audit {
 namespace {
-
-bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 // ---- How the nodes of the levels hang together
 

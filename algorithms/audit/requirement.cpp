@@ -52,7 +52,7 @@ struct NoElements {
   static bool measures(std::string_view) { return false; }
 };
 
-struct Triangles {
+struct TriangleElements {
   static constexpr Item kItem = Item::kTriangle;
   const TriangleMesh& mesh;
   Index size() const { return static_cast<Index>(mesh.triangles.size()); }
@@ -65,7 +65,7 @@ struct Triangles {
   }
 };
 
-struct Tets {
+struct TetElements {
   static constexpr Item kItem = Item::kTet;
   const TetMesh& mesh;
   Index size() const { return static_cast<Index>(mesh.tets.size()); }
@@ -180,11 +180,11 @@ Result<Requirement> parse_requirement(std::string_view text) {
 }
 
 Status require(const Requirement& requirement, const TriangleMesh& mesh, Report& report) {
-  return require_of(requirement, Triangles{mesh}, report);
+  return require_of(requirement, TriangleElements{mesh}, report);
 }
 
 Status require(const Requirement& requirement, const TetMesh& mesh, Report& report) {
-  return require_of(requirement, Tets{mesh}, report);
+  return require_of(requirement, TetElements{mesh}, report);
 }
 
 Status require(const Requirement& requirement, Report& report) {

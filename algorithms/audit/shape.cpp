@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "wellspaced/algorithms/audit/angle_intervals.hpp"
+#include "wellspaced/algorithms/audit/shape_tools.hpp"
 #include "wellspaced/algorithms/audit/worst_list.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
@@ -13,22 +13,17 @@
 namespace wellspaced::audit {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-constexpr std::array<double, 11> kAspectBounds = {2,  2.5, 3,   4,    6,        10,
-                                                  20, 50,  100, 1000, kInfinity};
-
-// A quotient of a positive number and one that may vanish.
-double ratio(double a, double b) { return b > 0 ? a / b : kInfinity; }
+constexpr std::array<double, 11> kTriangleAspectBounds = {2,  2.5, 3,   4,    6,        10,
+                                                          20, 50,  100, 1000, kInfinity};
 
 // What all measures are made of: scalar products at the corners, squared edges in ascending order
 // and twice the area.
-struct Figures {
+struct TriangleFigures {
   double max_product, min_product, middle_product;
   double short_sq, middle_sq, long_sq;
   double twice_area, inverse;  // infinite for a flat triangle
 
-  Figures(Point2 a, Point2 b, Point2 c) {
+  TriangleFigures(Point2 a, Point2 b, Point2 c) {
     const double abx = b.x - a.x, aby = b.y - a.y, acx = c.x - a.x, acy = c.y - a.y;
     const double bcx = c.x - b.x, bcy = c.y - b.y;
     twice_area = std::fabs(abx * acy - aby * acx);
@@ -68,8 +63,7 @@ struct Figures {
 double scale_of(std::span<const Point2> points) {
   double largest = 0;
   for (const Point2 p : points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
-  if (largest == 0 || (largest > 0x1p-100 && largest < 0x1p100)) return 1;
-  return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+  return scale_for(largest);
 }
 
 Point2 scaled(Point2 p, double scale) { return {p.x * scale, p.y * scale}; }
@@ -81,8 +75,8 @@ class Shapes {
     for (int degrees = 0; degrees <= 180; degrees += 10) angles_.bounds.push_back(degrees);
     angles_.counts.assign(18, 0);
     aspects_.name = "aspect_ratio";
-    aspects_.bounds.assign(kAspectBounds.begin(), kAspectBounds.end());
-    aspects_.counts.assign(kAspectBounds.size() - 1, 0);
+    aspects_.bounds.assign(kTriangleAspectBounds.begin(), kTriangleAspectBounds.end());
+    aspects_.counts.assign(kTriangleAspectBounds.size() - 1, 0);
     for (Index t = 0; t < mesh.triangles.size(); ++t) add(t);
   }
 
@@ -105,8 +99,8 @@ class Shapes {
  private:
   void add(Index t) {
     const auto& [i, j, k] = mesh_.triangles[t];
-    const Figures f(scaled(mesh_.points[i], scale_), scaled(mesh_.points[j], scale_),
-                    scaled(mesh_.points[k], scale_));
+    const TriangleFigures f(scaled(mesh_.points[i], scale_), scaled(mesh_.points[j], scale_),
+                            scaled(mesh_.points[k], scale_));
     const double largest_cotangent = f.cotangent(f.max_product);
     min_angle_.offer(t, largest_cotangent);
     max_angle_.offer(t, -f.cotangent(f.min_product));
@@ -122,14 +116,15 @@ class Shapes {
     add_ratios(t, f);
   }
 
-  void add_ratios(Index t, const Figures& f) {
+  void add_ratios(Index t, const TriangleFigures& f) {
     const double inverse_inradius = f.inverse_inradius();
     const double aspect = f.containing_radius() * inverse_inradius;
     aspect_.offer(t, aspect);
     circumradius_to_inradius_ =
         std::max(circumradius_to_inradius_, f.circumradius() * inverse_inradius);
     std::size_t bin = 0;
-    for (std::size_t i = 1; i + 1 < kAspectBounds.size(); ++i) bin += aspect >= kAspectBounds[i];
+    for (std::size_t i = 1; i + 1 < kTriangleAspectBounds.size(); ++i)
+      bin += aspect >= kTriangleAspectBounds[i];
     ++aspects_.counts[bin];
   }
 
@@ -179,7 +174,7 @@ double boundary_length(const TriangleMesh& mesh, const HalfEdges& half_edges) {
 TriangleShape triangle_shape(Point2 a, Point2 b, Point2 c) {
   const std::array<Point2, 3> corners{a, b, c};
   const double scale = scale_of(corners);
-  const Figures f(scaled(a, scale), scaled(b, scale), scaled(c, scale));
+  const TriangleFigures f(scaled(a, scale), scaled(b, scale), scaled(c, scale));
   TriangleShape shape;
   shape.min_angle = arccotangent_deg(f.cotangent(f.max_product));
   shape.max_angle = arccotangent_deg(f.cotangent(f.min_product));

@@ -3,38 +3,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <span>
 #include <utility>
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
+#include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced::audit {
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max();
+using NodePair = std::pair<Index, Index>;  // the lower node first
 
-using Edge = std::pair<Index, Index>;  // the lower node first
-
-Edge edge_of(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+NodePair node_pair(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
 double distance_sq(Point3 a, Point3 b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z);
 }
 
-// x moved by a number of units in the last place (of x; doubles nearer to 0 lie closer).
-double moved(double x, double towards, double units) {
-  const double unit = std::fabs(std::nextafter(x, x < 0 ? -kLargest : kLargest) - x);
-  return std::clamp(towards > 0 ? x + units * unit : x - units * unit, -kLargest, kLargest);
-}
-
 // The box of so many units in the last place around p: its low and high corners.
 std::array<Point3, 2> box_around(Point3 p, double units) {
-  return {Point3{moved(p.x, -1, units), moved(p.y, -1, units), moved(p.z, -1, units)},
-          Point3{moved(p.x, 1, units), moved(p.y, 1, units), moved(p.z, 1, units)}};
+  return {
+      Point3{moved_by_ulps(p.x, -units), moved_by_ulps(p.y, -units), moved_by_ulps(p.z, -units)},
+      Point3{moved_by_ulps(p.x, units), moved_by_ulps(p.y, units), moved_by_ulps(p.z, units)}};
 }
 
 // Whether a function, given as the sign at a point, changes sign or vanishes over the box.
@@ -60,7 +53,7 @@ bool near_line(Point3 a, Point3 b, Point3 p) {
 }
 
 // Whether p lies between a and b, given that it is near their line: in each coordinate.
-bool between(Point3 a, Point3 p, Point3 b) {
+bool lies_between(Point3 a, Point3 p, Point3 b) {
   const auto in = [](double x, double y, double z) {
     return std::min(x, z) <= y && y <= std::max(x, z);
   };
@@ -105,7 +98,7 @@ class MeshIndex {
 
   // Calls visit(face) for the faces on an edge; a face between two tets is visited from both.
   template <class Visit>
-  void for_each_face_on(Edge edge, Visit visit) const {
+  void for_each_face_on(NodePair edge, Visit visit) const {
     for (const Index t : tets_around(edge.first))
       for (Index f = 4 * t; f < 4 * t + 4; ++f) {
         const Face nodes = face_nodes(mesh_.tets, f);
@@ -124,8 +117,8 @@ class MeshIndex {
 };
 
 // The mesh edges along the segment from a to b; empty if there is no such chain.
-std::vector<Edge> chain_along(const TetMesh& mesh, const MeshIndex& index, Point3 a, Point3 b) {
-  std::vector<Edge> chain;
+std::vector<NodePair> chain_along(const TetMesh& mesh, const MeshIndex& index, Point3 a, Point3 b) {
+  std::vector<NodePair> chain;
   Index at = index.node_at(a);
   while (at != kNoIndex && mesh.points[at] != b && chain.size() < mesh.points.size()) {
     const Point3 here = mesh.points[at];
@@ -136,14 +129,14 @@ std::vector<Edge> chain_along(const TetMesh& mesh, const MeshIndex& index, Point
         if (w == at ||
             (next != kNoIndex && distance_sq(here, p) >= distance_sq(here, mesh.points[next])))
           continue;
-        if (p == b || (between(here, p, b) && is_beyond(a, here, p) && near_line(a, b, p)))
+        if (p == b || (lies_between(here, p, b) && is_beyond(a, here, p) && near_line(a, b, p)))
           next = w;
       }
     if (next == kNoIndex) return {};
-    chain.push_back(edge_of(at, next));
+    chain.push_back(node_pair(at, next));
     at = next;
   }
-  return at == kNoIndex ? std::vector<Edge>{} : chain;
+  return at == kNoIndex ? std::vector<NodePair>{} : chain;
 }
 
 // ---- Facets
@@ -235,7 +228,7 @@ class FacetCover {
 
   // edges: the facet's mesh edges, each with whether it bounds the facet. Returns whether the facet
   // is a union of pieces.
-  bool find(const std::map<Edge, bool>& edges) {
+  bool find(const std::map<NodePair, bool>& edges) {
     for (const auto& [edge, bounds] : edges)
       for (const Index f : faces_near_plane(edge)) flood(f, edges);
     bool possible = true;
@@ -262,7 +255,7 @@ class FacetCover {
     return at->second;
   }
 
-  std::vector<Index> faces_near_plane(Edge edge) {
+  std::vector<Index> faces_near_plane(NodePair edge) {
     std::vector<Index> found;
     index_.for_each_face_on(edge, [&](Index f) {
       const Face nodes = face_nodes(mesh_.tets, f);
@@ -276,7 +269,7 @@ class FacetCover {
 
   // Makes a piece of all faces that can be reached without crossing an edge of the facet. Where a
   // piece ends at another edge, it is out.
-  void flood(Index seed, const std::map<Edge, bool>& edges) {
+  void flood(Index seed, const std::map<NodePair, bool>& edges) {
     if (piece_of_.count(seed) > 0) return;
     const Index piece = pieces_.add();
     std::vector<Index> stack = {seed};
@@ -285,7 +278,7 @@ class FacetCover {
       const Face nodes = face_nodes(mesh_.tets, stack.back());
       stack.pop_back();
       for (int i = 0; i < 3; ++i) {
-        const Edge edge = edge_of(nodes[i], nodes[(i + 1) % 3]);
+        const NodePair edge = node_pair(nodes[i], nodes[(i + 1) % 3]);
         if (edges.count(edge) > 0) continue;
         const auto others = faces_near_plane(edge);
         if (others.size() != 2) pieces_.tie(piece, 0, false);
@@ -295,7 +288,7 @@ class FacetCover {
     }
   }
 
-  bool tie_across(Edge edge, bool bounds) {
+  bool tie_across(NodePair edge, bool bounds) {
     const auto beside = faces_near_plane(edge);
     if (beside.size() > 2) return false;
     std::array<Index, 2> pieces{0, 0};
@@ -357,8 +350,8 @@ class DomainAudit {
       visit(polygon[i], polygon[(i + 1) % polygon.size()]);
   }
 
-  const std::vector<Edge>& find_chain(Index a, Index b) {
-    const auto [at, is_new] = chains_.try_emplace(edge_of(a, b));
+  const std::vector<NodePair>& find_chain(Index a, Index b) {
+    const auto [at, is_new] = chains_.try_emplace(node_pair(a, b));
     if (is_new) at->second = chain_along(mesh_, index_, domain_.points[a], domain_.points[b]);
     return at->second;
   }
@@ -371,11 +364,11 @@ class DomainAudit {
 
   bool is_union_of_faces(const FacetPolygons& facet) {
     std::vector<Point3> points;
-    std::map<Edge, bool> edges;  // mesh edge: whether it bounds the facet
+    std::map<NodePair, bool> edges;  // mesh edge: whether it bounds the facet
     for (const auto& polygon : facet)
       for_each_edge(polygon, [&](Index a, Index b) {
         points.push_back(domain_.points[a]);
-        for (const Edge& edge : find_chain(a, b)) edges[edge] = !edges[edge];
+        for (const NodePair& edge : find_chain(a, b)) edges[edge] = !edges[edge];
       });
     if (edges.empty()) return false;
     const FacetPlane plane = plane_of(points);
@@ -436,7 +429,7 @@ class DomainAudit {
   const TetFaces& faces_;
   const PolyhedralDomain& domain_;
   MeshIndex index_;
-  std::map<Edge, std::vector<Edge>> chains_;
+  std::map<NodePair, std::vector<NodePair>> chains_;
   std::vector<std::uint8_t> on_domain_;
   double allowance_ = 2;
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
+#include "wellspaced/algorithms/audit/check_lists.hpp"
 #include "wellspaced/algorithms/audit/contact.hpp"
 #include "wellspaced/algorithms/audit/solid_winding.hpp"
 #include "wellspaced/kernel/predicates.hpp"
@@ -85,15 +86,6 @@ class TetOverlapSearch {
   BoxTree<3> tree_;
 };
 
-void audit_orientations(const std::vector<std::int8_t>& orientation, Report& report) {
-  Check& inverted = report.add_check("no_inverted", Item::kTet, true);
-  for (Index t = 0; t < orientation.size(); ++t)
-    if (orientation[t] < 0) inverted.violate({t});
-  Check& flat = report.add_check("no_flat", Item::kTet, true);
-  for (Index t = 0; t < orientation.size(); ++t)
-    if (orientation[t] == 0) flat.violate({t});
-}
-
 // The tets of pairs of faces, each pair once.
 std::vector<std::array<Index, 2>> pairs_of_tets(const Chain& chain,
                                                 const std::vector<std::array<Index, 2>>& faces) {
@@ -132,7 +124,7 @@ bool is_negative(const TetMesh& mesh) {
 
 void audit_tet_embedding(const TetMesh& mesh, const TetFaces& faces,
                          const std::vector<std::int8_t>& orientation, Report& report) {
-  audit_orientations(orientation, report);
+  check_orientations(report, Item::kTet, orientation);
   const Chain chain = boundary_chain(mesh, faces, orientation);
   const SolidVerdict verdict = cover_at_most_once(mesh.points, chain.faces);
   Check& check = report.add_check("no_overlap", Item::kTetPair, true);

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "wellspaced/algorithms/audit/angle_intervals.hpp"
+#include "wellspaced/algorithms/audit/places.hpp"
+#include "wellspaced/algorithms/audit/shape_tools.hpp"
 #include "wellspaced/algorithms/audit/worst_list.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
@@ -14,11 +15,8 @@
 namespace wellspaced::audit {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array<double, 11> kAspectBounds = {3,  3.5, 4,   5,    7,        10,
-                                                  20, 50,  100, 1000, kInfinity};
-
-using Corners = std::array<Point3, 4>;
+constexpr std::array<double, 11> kTetAspectBounds = {3,  3.5, 4,   5,    7,        10,
+                                                     20, 50,  100, 1000, kInfinity};
 
 Point3 operator-(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Point3 operator+(Point3 a, Point3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -29,29 +27,26 @@ Point3 cross(Point3 a, Point3 b) {
 }
 double length(Point3 a) { return std::sqrt(dot(a, a)); }
 
-double ratio(double a, double b) { return b > 0 ? a / b : kInfinity; }
-
 // A power of two that brings the coordinates near 1 where their powers might overflow or vanish.
 double scale_of(std::span<const Point3> points) {
   double largest = 0;
   for (const Point3& p : points)
     largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  if (largest == 0 || (largest > 0x1p-100 && largest < 0x1p100)) return 1;
-  return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+  return scale_for(largest);
 }
 
-Corners scaled(const Corners& tet, double scale) {
+TetCorners scaled(const TetCorners& tet, double scale) {
   return {scale * tet[0], scale * tet[1], scale * tet[2], scale * tet[3]};
 }
 
-struct Edge {
+struct TetEdge {
   int from, to, left, right;  // the corners at its ends, and the two others
 };
-constexpr std::array<Edge, 6> kEdges = {
+constexpr std::array<TetEdge, 6> kTetEdges = {
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
 
 // The cotangent of the dihedral angle at an edge: of the angle between the normals of its faces.
-double dihedral_cotangent(const Corners& tet, const Edge& edge) {
+double dihedral_cotangent(const TetCorners& tet, const TetEdge& edge) {
   const Point3 along = tet[edge.to] - tet[edge.from];
   const Point3 n = cross(along, tet[edge.left] - tet[edge.from]);
   const Point3 m = cross(along, tet[edge.right] - tet[edge.from]);
@@ -64,7 +59,7 @@ struct Ball {
   double radius = kInfinity;
 };
 
-bool contains(const Ball& ball, const Corners& tet) {
+bool contains(const Ball& ball, const TetCorners& tet) {
   return std::all_of(tet.begin(), tet.end(), [&](Point3 p) {
     return length(p - ball.centre) <= ball.radius * (1 + 1e-12);
   });
@@ -80,7 +75,7 @@ Ball ball_over_face(Point3 a, Point3 b, Point3 c) {
   return {a + offset, length(offset)};
 }
 
-Ball circumscribed(const Corners& tet) {
+Ball circumscribed(const TetCorners& tet) {
   const Point3 b = tet[1] - tet[0], c = tet[2] - tet[0], d = tet[3] - tet[0];
   const double twice = 2 * dot(b, cross(c, d));
   if (twice == 0) return {};
@@ -90,7 +85,7 @@ Ball circumscribed(const Corners& tet) {
 }
 
 // Whether the circumcentre is on the inner side of every face.
-bool contains_its_circumcentre(const Corners& tet) {
+bool contains_its_circumcentre(const TetCorners& tet) {
   const Point3 centre = circumscribed(tet).centre;
   for (int i = 0; i < 4; ++i) {
     const Point3 a = tet[(i + 1) % 4];
@@ -101,23 +96,23 @@ bool contains_its_circumcentre(const Corners& tet) {
 }
 
 // The smallest ball around a tet is that over an edge, a face or all of it.
-double containing_radius(const Corners& tet, double circumradius) {
+double containing_radius(const TetCorners& tet, double circumradius) {
   if (contains_its_circumcentre(tet)) return circumradius;
   double least = circumradius;
   const auto try_ball = [&](const Ball& ball) {
     if (ball.radius < least && contains(ball, tet)) least = ball.radius;
   };
-  for (const Edge& e : kEdges) try_ball(ball_over_edge(tet[e.from], tet[e.to]));
+  for (const TetEdge& e : kTetEdges) try_ball(ball_over_edge(tet[e.from], tet[e.to]));
   for (int i = 0; i < 4; ++i)
     try_ball(ball_over_face(tet[(i + 1) % 4], tet[(i + 2) % 4], tet[(i + 3) % 4]));
   return least;
 }
 
-double volume_of(const Corners& tet) {
+double volume_of(const TetCorners& tet) {
   return std::fabs(dot(tet[1] - tet[0], cross(tet[2] - tet[0], tet[3] - tet[0]))) / 6;
 }
 
-double surface_of(const Corners& tet) {
+double surface_of(const TetCorners& tet) {
   double twice = 0;
   for (int i = 0; i < 4; ++i)
     twice +=
@@ -126,14 +121,14 @@ double surface_of(const Corners& tet) {
 }
 
 // What the shape is made of; angles by their cotangents.
-struct Figures {
+struct TetFigures {
   std::array<double, 6> cotangents, lengths;
   double volume, circumradius, containing, inverse_inradius;
 
-  explicit Figures(const Corners& tet) {
+  explicit TetFigures(const TetCorners& tet) {
     for (std::size_t i = 0; i < 6; ++i) {
-      cotangents[i] = dihedral_cotangent(tet, kEdges[i]);
-      lengths[i] = length(tet[kEdges[i].to] - tet[kEdges[i].from]);
+      cotangents[i] = dihedral_cotangent(tet, kTetEdges[i]);
+      lengths[i] = length(tet[kTetEdges[i].to] - tet[kTetEdges[i].from]);
     }
     volume = volume_of(tet);
     circumradius = circumscribed(tet).radius;
@@ -151,15 +146,15 @@ struct Figures {
   double radius_edge() const { return ratio(circumradius, shortest()); }
 };
 
-TetClass class_of_stretched(const Figures& f) {
+TetClass class_of_stretched(const TetFigures& f) {
   const double mean = std::sqrt(f.shortest() * f.longest());
   std::array<int, 4> short_at{};  // short edges at each corner
   int short_edges = 0;
   for (std::size_t i = 0; i < 6; ++i) {
     if (f.lengths[i] >= mean) continue;
     ++short_edges;
-    ++short_at[kEdges[i].from];
-    ++short_at[kEdges[i].to];
+    ++short_at[kTetEdges[i].from];
+    ++short_at[kTetEdges[i].to];
   }
   const bool one_corner_is_far = *std::min_element(short_at.begin(), short_at.end()) == 0;
   if (short_edges == 3 && one_corner_is_far) return TetClass::kNeedle;
@@ -169,13 +164,14 @@ TetClass class_of_stretched(const Figures& f) {
 
 // Whether a corner's foot on the plane of the face opposite lies inside the face: then the dihedral
 // angles at all three edges of that face are acute.
-bool is_over_its_face(const Figures& f, int corner) {
+bool is_over_its_face(const TetFigures& f, int corner) {
   for (std::size_t i = 0; i < 6; ++i)
-    if (kEdges[i].from != corner && kEdges[i].to != corner && f.cotangents[i] < 0) return false;
+    if (kTetEdges[i].from != corner && kTetEdges[i].to != corner && f.cotangents[i] < 0)
+      return false;
   return true;
 }
 
-TetClass class_of(const Figures& f) {
+TetClass class_of(const TetFigures& f) {
   if (f.aspect_ratio() <= kBadAspectRatio) return TetClass::kWellShaped;
   if (ratio(f.longest(), f.shortest()) > kLargeEdgeRatio) return class_of_stretched(f);
   if (f.radius_edge() <= kLargeRadiusEdge) return TetClass::kSliver;
@@ -205,7 +201,7 @@ class TetShapes {
     std::vector<double> degrees;
     for (int i = 0; i <= 18; ++i) degrees.push_back(10 * i);
     dihedrals_ = histogram("dihedral", degrees);
-    aspects_ = histogram("aspect_ratio", {kAspectBounds.begin(), kAspectBounds.end()});
+    aspects_ = histogram("aspect_ratio", {kTetAspectBounds.begin(), kTetAspectBounds.end()});
     for (Index t = 0; t < mesh.tets.size(); ++t) add(t);
   }
 
@@ -236,7 +232,7 @@ class TetShapes {
   void add(Index t) {
     const auto& [a, b, c, d] = mesh_.tets[t];
     const auto& p = mesh_.points;
-    const Figures f(scaled({p[a], p[b], p[c], p[d]}, scale_));
+    const TetFigures f(scaled({p[a], p[b], p[c], p[d]}, scale_));
     min_dihedral_.offer(t, f.largest_cotangent());
     max_dihedral_.offer(t, -f.least_cotangent());
     aspect_.offer(t, f.aspect_ratio());
@@ -276,9 +272,9 @@ class TetShapes {
 
 }  // namespace
 
-TetShape tet_shape(const Corners& tet) {
+TetShape tet_shape(const TetCorners& tet) {
   const double scale = scale_of(tet);
-  const Figures f(scaled(tet, scale));
+  const TetFigures f(scaled(tet, scale));
   TetShape shape;
   shape.min_dihedral = arccotangent_deg(f.largest_cotangent());
   shape.max_dihedral = arccotangent_deg(f.least_cotangent());
@@ -307,7 +303,9 @@ std::optional<double> shape_value(const TetShape& shape, std::string_view name) 
   return std::nullopt;
 }
 
-TetClass classify_tet(const Corners& tet) { return class_of(Figures(scaled(tet, scale_of(tet)))); }
+TetClass classify_tet(const TetCorners& tet) {
+  return class_of(TetFigures(scaled(tet, scale_of(tet))));
+}
 
 void audit_tet_shape(const TetMesh& mesh, Report& report) { TetShapes(mesh).report_to(report); }
 

@@ -3,39 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wellspaced/algorithms/audit/check_lists.hpp"
 #include "wellspaced/algorithms/audit/half_edges.hpp"
 
 namespace wellspaced::audit {
 namespace {
-
-template <std::size_t N>
-bool in_range(const std::array<Index, N>& nodes, std::size_t count) {
-  return std::all_of(nodes.begin(), nodes.end(), [&](Index v) { return v < count; });
-}
-
-template <std::size_t N>
-bool distinct(const std::array<Index, N>& nodes) {
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (nodes[i] == nodes[j]) return false;
-  return true;
-}
-
-// A required check on the items 0 .. count - 1.
-template <class Good>
-bool check_each(Report& report, std::string_view name, Item item, std::size_t count, Good good) {
-  Check& check = report.add_check(name, item, true);
-  for (Index i = 0; i < count; ++i)
-    if (!good(i)) check.violate({i});
-  return check.pass();
-}
-
-void list(Report& report, std::string_view name, Item item, bool required,
-          const std::vector<Index>& ids) {
-  Check& check = report.add_check(name, item, required);
-  check.violations = ids.size() / ids_per(item);
-  check.ids = ids;
-}
 
 std::uint64_t count_tet_components(const TetFaces& faces) {
   std::vector<Index> parent(faces.twin.size() / 4);
@@ -84,8 +56,9 @@ void audit_segments(const TetMesh& mesh, Report& report) {
 }
 
 void audit_facets(const TetMesh& mesh, const TetFaces& faces, Report& report) {
-  list(report, "no_duplicate_facet", Item::kFacet, false, faces.duplicate_facets);
-  list(report, "one_marker_per_facet", Item::kFacet, true, faces.conflicting_facets);
+  list_violations(report, "no_duplicate_facet", Item::kFacet, faces.duplicate_facets);
+  list_violations(report, "one_marker_per_facet", Item::kFacet, faces.conflicting_facets).required =
+      true;
   Check& check = report.add_check("facets_are_faces", Item::kFacet, true);
   for (Index i = 0; i < mesh.facets.size(); ++i)
     if (faces.facet_face[i] == kNoIndex) check.violate({i});
@@ -170,9 +143,10 @@ bool audit_tet_syntax(const TetMesh& mesh, Report& report) {
 }
 
 void audit_tet_topology(const TetMesh& mesh, const TetFaces& faces, Report& report) {
-  list(report, "no_duplicate_tet", Item::kTet, true, faces.duplicate_tets);
-  list(report, "manifold_faces", Item::kFace, true, faces.crowded_faces);
-  list(report, "consistent_orientation", Item::kFace, true, faces.disagreeing_faces);
+  list_violations(report, "no_duplicate_tet", Item::kTet, faces.duplicate_tets).required = true;
+  list_violations(report, "manifold_faces", Item::kFace, faces.crowded_faces).required = true;
+  list_violations(report, "consistent_orientation", Item::kFace, faces.disagreeing_faces).required =
+      true;
   const BoundarySurface surface = boundary_surface(mesh, faces);
   const BoundaryFigures boundary = audit_boundary(mesh, surface, report);
   const std::uint64_t nodes = count_used_nodes(mesh, report);

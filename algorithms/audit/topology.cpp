@@ -3,27 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wellspaced/algorithms/audit/check_lists.hpp"
+
 namespace wellspaced::audit {
 namespace {
 
-bool in_range(const std::array<Index, 3>& t, std::size_t nodes) {
-  return t[0] < nodes && t[1] < nodes && t[2] < nodes;
-}
-
-bool distinct(const std::array<Index, 3>& t) {
-  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-}
-
 bool valid(const Segment& s, std::size_t nodes) { return s.a < nodes && s.b < nodes && s.a != s.b; }
-
-// A check on the items 0 .. count - 1.
-template <class Good>
-bool check_each(Report& report, std::string_view name, Item item, std::size_t count, Good good) {
-  Check& check = report.add_check(name, item, true);
-  for (Index i = 0; i < count; ++i)
-    if (!good(i)) check.violate({i});
-  return check.pass();
-}
 
 bool audit_node_data(const TriangleMesh& mesh, Report& report) {
   Check& check = report.add_check("valid_node_data", Item::kNode, true);
@@ -49,12 +34,6 @@ std::uint64_t count_boundary_edges(const HalfEdges& half_edges) {
   std::uint64_t count = 0;
   for (const Index twin : half_edges.twin) count += twin == kNoIndex;
   return count;
-}
-
-void list(Report& report, std::string_view name, Item item, const std::vector<Index>& ids) {
-  Check& check = report.add_check(name, item, true);
-  check.violations = ids.size() / ids_per(item);
-  check.ids = ids;
 }
 
 void audit_nodes(const std::vector<std::uint8_t>& fans, Report& report) {
@@ -130,9 +109,11 @@ bool audit_syntax(const TriangleMesh& mesh, Report& report) {
 }
 
 void audit_topology(const TriangleMesh& mesh, const HalfEdges& half_edges, Report& report) {
-  list(report, "no_duplicate_triangle", Item::kTriangle, half_edges.duplicate_triangles);
-  list(report, "manifold_edges", Item::kEdge, half_edges.crowded_edges);
-  list(report, "consistent_orientation", Item::kEdge, half_edges.disagreeing_edges);
+  list_violations(report, "no_duplicate_triangle", Item::kTriangle, half_edges.duplicate_triangles)
+      .required = true;
+  list_violations(report, "manifold_edges", Item::kEdge, half_edges.crowded_edges).required = true;
+  list_violations(report, "consistent_orientation", Item::kEdge, half_edges.disagreeing_edges)
+      .required = true;
   Counts counts;
   const std::vector<std::uint8_t> fans =
       count_fans(mesh.triangles, half_edges, mesh.points.size(), counts.fans);

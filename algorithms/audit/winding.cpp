@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <set>
 
+#include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced::audit {
 namespace {
 
-bool before(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
 // A chain edge seen along the sweep: from its first point to its last.
-struct Edge {
+struct SweepEdge {
   Point2 first, last;
   int jump = 0;           // the winding number above it less that below it
   Index next = kNoIndex;  // the next edge of its bundle
 };
 
-Edge edge_along_sweep(const ChainEdge& e) {
-  return before(e.from, e.to) ? Edge{e.from, e.to, 1} : Edge{e.to, e.from, -1};
+SweepEdge edge_along_sweep(const ChainEdge& e) {
+  return before(e.from, e.to) ? SweepEdge{e.from, e.to, 1} : SweepEdge{e.to, e.from, -1};
 }
 
 // Edges that coincide from `first` at least as far as `last`.
@@ -74,7 +73,7 @@ class Sweep {
   explicit Sweep(std::span<const ChainEdge> chain) : events_(events_of(chain)) {
     for (const ChainEdge& e : chain) edges_.push_back(edge_along_sweep(e));
     std::sort(edges_.begin(), edges_.end(),
-              [](const Edge& a, const Edge& b) { return before(a.first, b.first); });
+              [](const SweepEdge& a, const SweepEdge& b) { return before(a.first, b.first); });
   }
 
   WindingVerdict run() {
@@ -159,7 +158,7 @@ class Sweep {
   }
 
   std::vector<Event> events_;
-  std::vector<Edge> edges_;
+  std::vector<SweepEdge> edges_;
   std::size_t next_ = 0;  // the first edge that has not started
   std::vector<Index> outgoing_;
   Status status_;

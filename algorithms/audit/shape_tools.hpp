@@ -1,0 +1,22 @@
+// What the measures of triangles and of tetrahedra have in common.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wellspaced::audit {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A quotient of a positive number and one that may vanish.
+inline double ratio(double a, double b) { return b > 0 ? a / b : kInfinity; }
+
+/// A power of two that brings coordinates of that magnitude near 1, where their powers might
+/// overflow or vanish; else 1.
+inline double scale_for(double magnitude) {
+  if (magnitude == 0 || (magnitude > 0x1p-100 && magnitude < 0x1p100)) return 1;
+  return std::ldexp(1.0, -std::clamp(std::ilogb(magnitude), -1000, 1000));
+}
+
+}  // namespace wellspaced::audit
