@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
 
 #include "tests/support/audit_meshes.hpp"
+#include "tests/support/mutation.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/random.hpp"
@@ -18,14 +17,10 @@
 namespace wellspaced {
 namespace {
 
-using Names = std::set<std::string>;
-
-// must: the checks that have to fail; may: those that can fail with them, as a true consequence.
-struct Fault {
-  std::string name;
-  std::function<bool(TriangleMesh&, Random&)> plant;  // false: this mesh has no place for it
-  Names must, may;
-};
+using test::any;
+using test::Names;
+using test::operator+;
+using Fault = test::Fault<TriangleMesh>;
 
 // What moving or losing triangles entails: the mesh has other edges, so other circles.
 const Names kCircles = {"constrained_delaunay", "delaunay", "gabriel", "boundary_gabriel",
@@ -33,20 +28,6 @@ const Names kCircles = {"constrained_delaunay", "delaunay", "gabriel", "boundary
 // What unpairing edges entails: they become boundary edges.
 const Names kRims = {"boundary_has_segments", "manifold_nodes", "boundary_gabriel",
                      "circumcentres_inside", "gabriel"};
-
-Names operator+(Names a, const Names& b) {
-  a.insert(b.begin(), b.end());
-  return a;
-}
-
-Names failing(const audit::Report& report) {
-  Names names;
-  for (const auto& check : report.checks)
-    if (!check.pass()) names.insert(check.name);
-  return names;
-}
-
-Index any(std::size_t count, Random& random) { return static_cast<Index>(random.below(count)); }
 
 Index any_triangle(const TriangleMesh& mesh, Random& random) {
   return any(mesh.triangles.size(), random);
@@ -422,56 +403,16 @@ std::vector<Fault> delaunay_faults() {
   };
 }
 
-struct Tally {
-  int planted = 0, found = 0, false_alarms = 0;
-};
-
-void plant(const Fault& fault, const test::NamedMesh& clean, const Names& before, Tally& tally) {
-  Random random(7);
-  const int plants = clean.mesh.triangles.size() < 5000 ? 12 : 3;
-  for (int i = 0; i < plants; ++i) {
-    TriangleMesh mesh = clean.mesh;
-    if (!fault.plant(mesh, random)) continue;
-    ++tally.planted;
-    const Names after = failing(audit::audit_mesh(mesh));
-    tally.found += std::includes(after.begin(), after.end(), fault.must.begin(), fault.must.end());
-    for (const auto& name : fault.must)
-      EXPECT_EQ(after.count(name), 1u) << fault.name << " on " << clean.name << ": " << name;
-    const Names legal = before + fault.must + fault.may;
-    const bool alarm = !std::includes(legal.begin(), legal.end(), after.begin(), after.end());
-    tally.false_alarms += alarm;
-    if (!alarm) continue;
-    for (const auto& name : after)
-      if (legal.count(name) == 0)
-        ADD_FAILURE() << fault.name << " on " << clean.name << ": " << name;
-  }
-}
-
 TEST(Mutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
-  const auto meshes = test::clean_meshes();
-  std::vector<Names> before;
-  for (const auto& mesh : meshes) before.push_back(failing(audit::audit_mesh(mesh.mesh)));
-  std::printf("%-55s %8s %8s %12s\n", "fault", "planted", "found", "false alarms");
-  for (const auto& family :
-       {syntax_faults(), topology_faults(), embedding_faults(), delaunay_faults()}) {
-    for (const Fault& fault : family) {
-      Tally tally;
-      for (std::size_t i = 0; i < meshes.size(); ++i) plant(fault, meshes[i], before[i], tally);
-      std::printf("%-55s %8d %8d %12d\n", fault.name.c_str(), tally.planted, tally.found,
-                  tally.false_alarms);
-      EXPECT_GE(tally.planted, 40) << fault.name;
-      EXPECT_EQ(tally.found, tally.planted) << fault.name;
-      EXPECT_EQ(tally.false_alarms, 0) << fault.name;
-    }
-  }
-}
-
-TEST(Mutation, CleanMeshesRaiseNothing) {
   // What a sound constrained Delaunay mesh may lack.
-  const Names optional = {"gabriel", "boundary_gabriel", "circumcentres_inside"};
+  test::MutationTest<TriangleMesh> table(
+      [](const TriangleMesh& mesh) { return audit::audit_mesh(mesh); },
+      {"gabriel", "boundary_gabriel", "circumcentres_inside"});
   for (const auto& [name, mesh] : test::clean_meshes())
-    for (const auto& check : audit::audit_mesh(mesh).checks)
-      EXPECT_TRUE(check.pass() || optional.count(check.name) > 0) << name << ": " << check.name;
+    table.add_clean(name, mesh, mesh.triangles.size() < 5000 ? 12 : 3);
+  for (const auto& family :
+       {syntax_faults(), topology_faults(), embedding_faults(), delaunay_faults()})
+    table.run(family, 40);
 }
 
 }  // namespace
