@@ -8,8 +8,6 @@
 namespace wellspaced {
 namespace {
 
-constexpr Index kGhost = Triangulation3::kGhost;
-
 bool in_sphere(const Triangulation3& topology, std::span<const Point3> points, Index t, Point3 p) {
   const auto& v = topology.vertices(t);
   return insphere(points[v[1]], points[v[0]], points[v[2]], points[v[3]], p) > 0;
@@ -28,7 +26,8 @@ class SphereBatch {
     set(i, 0, points[v[1]], p);
     set(i, 1, points[v[0]], p);
     set(i, 2, points[v[2]], p);
-    set(i, 3, points[v[3] == kGhost ? v[2] : v[3]], p);  // a flat tet, which the filter rejects
+    set(i, 3, points[v[3] == Triangulation3::kGhost ? v[2] : v[3]],
+        p);  // a flat tet, which the filter rejects
   }
 
   void evaluate(std::size_t count) {

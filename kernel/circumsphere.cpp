@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/vector3.hpp"
 
 namespace wellspaced {
 namespace {
@@ -15,12 +16,6 @@ Point3 scaled_half_difference(Point3 a, Point3 b, int exponent) {
   };
   return {scaled(a.x, b.x), scaled(a.y, b.y), scaled(a.z, b.z)};
 }
-
-Point3 cross(Point3 a, Point3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-double dot(Point3 a, Point3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 double largest(Point3 a) { return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}); }
 

@@ -91,21 +91,19 @@ int compare_x(const Crossing& p, double x) { return compare_x_with_mean(p, x, x)
 
 // ---- Relations.
 
-bool less_xy(Point2 p, Point2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
 // Requires: p lies on the line through a and b.
 bool in_box(Point2 a, Point2 b, Point2 p) {
-  const auto [low, high] = std::minmax(a, b, less_xy);
-  return !less_xy(p, low) && !less_xy(high, p);
+  const auto [low, high] = std::minmax(a, b);
+  return low <= p && p <= high;
 }
 
 SegmentRelation relate_on_one_line(Point2 a, Point2 b, Point2 c, Point2 d) {
-  const auto [ab_low, ab_high] = std::minmax(a, b, less_xy);
-  const auto [cd_low, cd_high] = std::minmax(c, d, less_xy);
-  const Point2 low = std::max(ab_low, cd_low, less_xy);
-  const Point2 high = std::min(ab_high, cd_high, less_xy);
-  if (less_xy(low, high)) return SegmentRelation::kOverlap;
-  return less_xy(high, low) ? SegmentRelation::kDisjoint : SegmentRelation::kTouch;
+  const auto [ab_low, ab_high] = std::minmax(a, b);
+  const auto [cd_low, cd_high] = std::minmax(c, d);
+  const Point2 low = std::max(ab_low, cd_low);
+  const Point2 high = std::min(ab_high, cd_high);
+  if (low < high) return SegmentRelation::kOverlap;
+  return high < low ? SegmentRelation::kDisjoint : SegmentRelation::kTouch;
 }
 
 // ---- Rounding: a search among the doubles with the exact comparison.

@@ -2,38 +2,18 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <string>
 #include <utility>
 
+#include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
 namespace {
 
-constexpr Index kGhost = Triangulation2::kGhost;
-
-bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
-bool lexicographically_less(Point2 a, Point2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 // Whether p, collinear with a and b, lies strictly between them.
 bool strictly_between(Point2 a, Point2 p, Point2 b) {
-  if (lexicographically_less(b, a)) std::swap(a, b);
-  return lexicographically_less(a, p) && lexicographically_less(p, b);
-}
-
-Status check_points(std::span<const Point2> points) {
-  if (points.size() > kMaxOrderedPoints)
-    return Error{ErrorCode::kLimit, "more than 2^28 points", {}};
-  std::vector<Index> bad;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_finite(points[i])) bad.push_back(static_cast<Index>(i));
-  if (bad.empty()) return Ok{};
-  return Error{ErrorCode::kInvalidGeometry,
-               "point " + std::to_string(bad[0]) + " has a coordinate that is not finite",
-               std::move(bad)};
+  return b < a ? b < p && p < a : a < p && p < b;
 }
 
 }  // namespace
@@ -208,7 +188,7 @@ std::vector<Delaunay2::Duplicate> Delaunay2::sort_out_duplicates() const {
   for (Index i = 0; i < sorted.size(); ++i) sorted[i] = i;
   std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) {
     if (points_[a] == points_[b]) return a < b;
-    return lexicographically_less(points_[a], points_[b]);
+    return points_[a] < points_[b];
   });
   std::vector<Duplicate> duplicates;
   for (std::size_t i = 1, first = 0; i < sorted.size(); ++i) {

@@ -131,6 +131,8 @@ class Delaunay2 {
   bool is_valid() const;
 
  private:
+  static constexpr Index kGhost = Triangulation2::kGhost;
+
   // A point that is no vertex, and the vertex that stands for it.
   struct Duplicate {
     Index point, vertex;

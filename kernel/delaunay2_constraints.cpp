@@ -10,12 +10,8 @@
 namespace wellspaced {
 namespace {
 
-bool lexicographically_less(Point2 a, Point2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 // Whether u, collinear with a and b, lies on b's side of a.
-bool same_direction(Point2 a, Point2 b, Point2 u) {
-  return lexicographically_less(a, b) == lexicographically_less(a, u);
-}
+bool same_direction(Point2 a, Point2 b, Point2 u) { return (a < b) == (a < u); }
 
 }  // namespace
 
@@ -27,9 +23,9 @@ Delaunay2::Edge Delaunay2::first_step(Index a, Index b) const {
   Edge e = first;
   do {
     const Index u = topology_.destination(e), w = topology_.apex(e);
-    const int right = u == Triangulation2::kGhost ? 1 : turn(a, b, u);
+    const int right = u == kGhost ? 1 : turn(a, b, u);
     if (right == 0 && same_direction(points_[a], points_[b], points_[u])) return e;
-    if (right < 0 && w != Triangulation2::kGhost && turn(a, b, w) > 0)
+    if (right < 0 && w != kGhost && turn(a, b, w) > 0)
       return {e.triangle, Triangulation2::next(e.i)};
     e = topology_.next_around_origin(e);
   } while (e != first);

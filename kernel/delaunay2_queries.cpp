@@ -2,16 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
+#include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/circumcircle.hpp"
 #include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
 namespace {
-
-constexpr Index kGhost = Triangulation2::kGhost;
 
 // The direction from a to b turned clockwise: out of the hull, for a hull edge.
 Point2 outward(Point2 a, Point2 b) { return {b.y - a.y, a.x - b.x}; }
@@ -42,7 +40,7 @@ Index Delaunay2::nearest_vertex(Point2 p, Index hint) const {
     do {
       const Index v = topology_.destination(e);
       if (v != kGhost) {
-        const int order = distance_order(points_[v], points_[nearest], p);
+        const int order = compare_distances(p, points_[v], points_[nearest]);
         if (order < 0 || (order == 0 && v < nearest)) {
           nearest = v;
           moved = true;
@@ -69,7 +67,7 @@ Result<Delaunay2::VoronoiCell> Delaunay2::voronoi_cell(Index v) const {
   do {
     const std::array<Index, 3> t{v, topology_.destination(e), topology_.apex(e)};
     const Point2 centre = circumcircle(points_[t[0]], points_[t[1]], points_[t[2]]).centre;
-    if (!std::isfinite(centre.x) || !std::isfinite(centre.y))
+    if (!is_finite(centre))
       return Error{ErrorCode::kInvalidGeometry, "a circumcentre is not finite", {t[0], t[1], t[2]}};
     cell.corners.push_back(centre);
     if (!cell.bounded) cell.last_ray = outward(points_[t[2]], points_[v]);

@@ -1,25 +1,20 @@
 // Dynamic vertices of Delaunay2: inserting a point, removing a vertex.
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <string>
 #include <utility>
 
+#include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
-namespace {
-
-constexpr Index kGhost = Triangulation2::kGhost;
-
-}  // namespace
 
 // ---- Insertion -----------------------------------------------------------------------------
 
 Result<Index> Delaunay2::insert(Point2 p, Index hint) {
-  if (!std::isfinite(p.x) || !std::isfinite(p.y))
+  if (!is_finite(p))
     return Error{ErrorCode::kInvalidGeometry, "the point has a coordinate that is not finite", {}};
   if (points_.size() >= kMaxOrderedPoints)
     return Error{ErrorCode::kLimit, "more than 2^28 points", {}};

@@ -3,36 +3,16 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
 
+#include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
 namespace {
-
-constexpr Index kGhost = Triangulation3::kGhost;
-
-bool is_finite(Point3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-Status check_points(std::span<const Point3> points) {
-  if (points.size() > kMaxOrderedPoints)
-    return Error{ErrorCode::kLimit, "more than 2^28 points", {}};
-  std::vector<Index> bad;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!is_finite(points[i])) bad.push_back(static_cast<Index>(i));
-  if (bad.empty()) return Ok{};
-  return Error{ErrorCode::kInvalidGeometry,
-               "point " + std::to_string(bad[0]) + " has a coordinate that is not finite",
-               std::move(bad)};
-}
-
-bool lexicographically_less(Point3 a, Point3 b) {
-  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-}
 
 // The point without its coordinate `axis`.
 Point2 projection(Point3 p, unsigned axis) {
@@ -217,7 +197,7 @@ void Delaunay3::take_chain(std::vector<Duplicate>& duplicates) {
   std::vector<Index> sorted(points_.size());
   std::iota(sorted.begin(), sorted.end(), Index{0});
   std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) {
-    return points_[a] == points_[b] ? a < b : lexicographically_less(points_[a], points_[b]);
+    return points_[a] == points_[b] ? a < b : points_[a] < points_[b];
   });
   for (const Index v : sorted) {
     if (!chain_.empty() && points_[v] == points_[chain_.back()])

@@ -86,6 +86,8 @@ class Delaunay3 {
   Result<Index> insert(Point3 p, Index hint = 0);
 
  private:
+  static constexpr Index kGhost = Triangulation3::kGhost;
+
   struct Duplicate {
     Index point, vertex;
   };

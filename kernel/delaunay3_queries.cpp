@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "wellspaced/kernel/compare_distances.hpp"
 #include "wellspaced/kernel/index_set.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
@@ -28,7 +27,7 @@ static bool is_locally_delaunay(const Delaunay3& delaunay, Facet f) {
   const Triangulation3& topology = delaunay.topology();
   const auto& p = delaunay.points();
   const Index beyond = topology.apex(topology.mirror(f));
-  if (beyond == kGhost) return true;
+  if (beyond == Triangulation3::kGhost) return true;
   const auto& v = topology.vertices(f.tet);
   if (topology.is_ghost(f.tet)) return orient3d(p[v[0]], p[v[1]], p[v[2]], p[beyond]) >= 0;
   return insphere(p[v[1]], p[v[0]], p[v[2]], p[v[3]], p[beyond]) <= 0;
@@ -124,7 +123,7 @@ std::vector<Index> neighbors(const Delaunay3& delaunay, Index v) {
   std::vector<Index> vertices;
   for (const Index t : star(delaunay, v))
     for (const Index u : delaunay.topology().vertices(t))
-      if (u != v && u != kGhost) vertices.push_back(u);
+      if (u != v && u != Triangulation3::kGhost) vertices.push_back(u);
   sort_unique(vertices);
   return vertices;
 }

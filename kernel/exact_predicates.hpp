@@ -41,17 +41,6 @@ struct Orient2d {
   }
 };
 
-struct DistanceOrder {
-  static constexpr std::size_t kDimension = 2;
-  static constexpr int kNarrowBits = 61;
-  template <class T>
-  static int sign(const std::array<T, 4>& v) {
-    const auto& [ax, ay, bx, by] = v;
-    return sign_of((wide_product(ax, ax) - wide_product(bx, bx)) +
-                   (wide_product(ay, ay) - wide_product(by, by)));
-  }
-};
-
 struct Incircle {
   static constexpr std::size_t kDimension = 2;
   static constexpr int kNarrowBits = 30;
@@ -95,6 +84,20 @@ struct Insphere {
                    wide_product(dab, cx * cx + cy * cy + cz * cz) +
                    wide_product(cda, bx * bx + by * by + bz * bz) -
                    wide_product(bcd, ax * ax + ay * ay + az * az));
+  }
+};
+
+/// a^2 - b^2, as the sum over the coordinates.
+template <std::size_t Dimension>
+struct CompareDistances {
+  static constexpr std::size_t kDimension = Dimension;
+  static constexpr int kNarrowBits = 61;
+  template <class T>
+  static int sign(const std::array<T, 2 * Dimension>& v) {
+    auto sum = wide_product(v[0], v[0]) - wide_product(v[Dimension], v[Dimension]);
+    for (std::size_t i = 1; i < Dimension; ++i)
+      sum = sum + (wide_product(v[i], v[i]) - wide_product(v[Dimension + i], v[Dimension + i]));
+    return sign_of(sum);
   }
 };
 
@@ -292,8 +295,13 @@ int sign(const std::array<double, N>& x) {
   return fixed ? *fixed : big_sign<Determinant>(x);
 }
 
+inline int compare_distances(const std::array<double, 6>& x) {
+  return sign<CompareDistances<2>>(x);
+}
+inline int compare_distances(const std::array<double, 9>& x) {
+  return sign<CompareDistances<3>>(x);
+}
 inline int orient2d(const std::array<double, 6>& x) { return sign<Orient2d>(x); }
-inline int distance_order(const std::array<double, 6>& x) { return sign<DistanceOrder>(x); }
 inline int incircle(const std::array<double, 8>& x) { return sign<Incircle>(x); }
 inline int orient3d(const std::array<double, 12>& x) { return sign<Orient3d>(x); }
 inline int insphere(const std::array<double, 15>& x) { return sign<Insphere>(x); }

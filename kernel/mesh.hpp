@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -11,14 +12,17 @@ namespace wellspaced {
 using Index = std::uint32_t;
 inline constexpr Index kNoIndex = 0xFFFFFFFFu;
 
+/// Points compare lexicographically.
 struct Point2 {
   double x = 0, y = 0;
   friend bool operator==(const Point2&, const Point2&) = default;
+  friend auto operator<=>(const Point2&, const Point2&) = default;
 };
 
 struct Point3 {
   double x = 0, y = 0, z = 0;
   friend bool operator==(const Point3&, const Point3&) = default;
+  friend auto operator<=>(const Point3&, const Point3&) = default;
 };
 
 /// A straight segment between two points, with its marker (0: none).

@@ -50,16 +50,6 @@ inline int orient2d(Point2 a, Point2 b, Point2 c) {
   return orient2d_of_differences(a.x - c.x, a.y - c.y, b.x - c.x, b.y - c.y);
 }
 
-/// r = 5, P the sum of both squares; E also covers the rounding of E itself.
-inline constexpr double kDistanceOrderBound = 0x6p-52;
-
-/// The sign of distance_order for a' = a - c and b' = b - c, each rounded once, or 0.
-inline int distance_order(Point2 a, Point2 b, Point2 c) {
-  const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
-  const double a_sq = ax * ax + ay * ay, b_sq = bx * bx + by * by;
-  return certified_sign(a_sq - b_sq, kDistanceOrderBound * (a_sq + b_sq) + kOrient2dUnderflow);
-}
-
 /// r = 11, and P <= AB + BC + CA for the squared lengths A, B, C of the differences, because
 /// |ax by| + |ay bx| <= (A + B) / 2.
 inline constexpr double kIncircleBound = 0x1p-49;
@@ -201,6 +191,25 @@ inline int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e) {
   return insphere_of_differences(difference(a, e), difference(b, e), difference(c, e),
                                  difference(d, e))
       .sign();
+}
+
+/// r = 6, and P is the sum of both squares; E also covers the rounding of E itself.
+inline constexpr double kDistanceBound = 0x1p-50;
+inline constexpr double kDistanceUnderflow = 0x1p-1070;
+
+/// The sign of |a|^2 - |b|^2 for these values, each of a sum of squares of differences, or 0.
+inline int compare_squares(double a_sq, double b_sq) {
+  return certified_sign(a_sq - b_sq, kDistanceBound * (a_sq + b_sq) + kDistanceUnderflow);
+}
+
+inline int compare_distances(Point2 p, Point2 a, Point2 b) {
+  const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
+  return compare_squares(ax * ax + ay * ay, bx * bx + by * by);
+}
+
+inline int compare_distances(Point3 p, Point3 a, Point3 b) {
+  const Point3 u = difference(a, p), v = difference(b, p);
+  return compare_squares(u.x * u.x + u.y * u.y + u.z * u.z, v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
 }  // namespace wellspaced::predicate_filter

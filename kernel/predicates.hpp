@@ -1,4 +1,4 @@
-// Exact geometric predicates: orient2d, incircle, orient3d, insphere, distance_order.
+// Exact geometric predicates: orient2d, incircle, orient3d, insphere, compare_distances.
 //
 // Each returns the sign of a determinant of its points' coordinates, exact for every finite double,
 // subnormals included. Three rungs, each asked only if the one before cannot tell: a floating-point
@@ -32,10 +32,11 @@ namespace wellspaced {
 /// after the other.
 namespace predicate_exact {
 #ifdef WELLSPACED_HEADER_ONLY
-using exact::distance_order, exact::incircle, exact::insphere, exact::orient2d, exact::orient3d;
+using exact::compare_distances, exact::incircle, exact::insphere, exact::orient2d, exact::orient3d;
 #else
+int compare_distances(const std::array<double, 6>& x);
+int compare_distances(const std::array<double, 9>& x);
 int orient2d(const std::array<double, 6>& x);
-int distance_order(const std::array<double, 6>& x);
 int incircle(const std::array<double, 8>& x);
 int orient3d(const std::array<double, 12>& x);
 int insphere(const std::array<double, 15>& x);
@@ -47,12 +48,6 @@ int insphere(const std::array<double, 15>& x);
 inline int orient2d(Point2 a, Point2 b, Point2 c) {
   const int sign = predicate_filter::orient2d(a, b, c);
   return sign != 0 ? sign : predicate_exact::orient2d({a.x, a.y, b.x, b.y, c.x, c.y});
-}
-
-/// The sign of |a-c| - |b-c|: negative when a is nearer to c than b.
-inline int distance_order(Point2 a, Point2 b, Point2 c) {
-  const int sign = predicate_filter::distance_order(a, b, c);
-  return sign != 0 ? sign : predicate_exact::distance_order({a.x, a.y, b.x, b.y, c.x, c.y});
 }
 
 /// Positive when d lies inside the circle through a, b, c, negative outside, 0 on it.
@@ -81,6 +76,19 @@ inline int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e) {
   return sign != 0 ? sign
                    : predicate_exact::insphere({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x,
                                                 d.y, d.z, e.x, e.y, e.z});
+}
+
+/// The sign of |a-p| - |b-p|: negative when a is nearer to p than b, 0 when they are equally far.
+inline int compare_distances(Point2 p, Point2 a, Point2 b) {
+  const int sign = predicate_filter::compare_distances(p, a, b);
+  return sign != 0 ? sign
+                   : predicate_exact::compare_distances(std::array{a.x, a.y, b.x, b.y, p.x, p.y});
+}
+inline int compare_distances(Point3 p, Point3 a, Point3 b) {
+  const int sign = predicate_filter::compare_distances(p, a, b);
+  return sign != 0 ? sign
+                   : predicate_exact::compare_distances(
+                         std::array{a.x, a.y, a.z, b.x, b.y, b.z, p.x, p.y, p.z});
 }
 
 }  // namespace wellspaced

@@ -9,19 +9,15 @@
 
 #include "wellspaced/kernel/delaunay3_queries.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/vector3.hpp"
 
 namespace wellspaced {
 namespace {
 
 using Facet = Triangulation3::Facet;
 
-Point3 minus(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Point3 along(Point3 a, Point3 b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
-}
-double dot(Point3 a, Point3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point3 cross(Point3 a, Point3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 // ---- Which facets there are --------------------------------------------------------------------
@@ -125,12 +121,12 @@ class CellBuilder {
  public:
   CellBuilder(const Delaunay3& delaunay, Index v, const Box3& box)
       : site_(delaunay.points()[v]), facets_(facets_around(delaunay, v)) {
-    const Point3 low = minus(box.low, site_), high = minus(box.high, site_);
+    const Point3 low = box.low - site_, high = box.high - site_;
     half_spaces_ = {{{-1, 0, 0}, -low.x}, {{1, 0, 0}, high.x},  {{0, -1, 0}, -low.y},
                     {{0, 1, 0}, high.y},  {{0, 0, -1}, -low.z}, {{0, 0, 1}, high.z}};
     neighbors_.assign(kBoxPlanes, kNoIndex);
     for (const auto& [u, corners] : facets_) {
-      const Point3 q = minus(delaunay.points()[u], site_);
+      const Point3 q = delaunay.points()[u] - site_;
       half_spaces_.push_back({q, dot(q, q) / 2});
       neighbors_.push_back(u);
     }

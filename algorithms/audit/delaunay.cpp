@@ -125,7 +125,7 @@ class DelaunayAudit {
   // if it leaves through the apex, an edge that leads on, if there is one.
   Index exit_of(Index entry, Point2 u, Point2 v) const {
     const Index left = HalfEdges::previous(entry), right = HalfEdges::next(entry);
-    const int side = distance_order(u, v, apex_point(entry));
+    const int side = compare_distances(apex_point(entry), u, v);
     if (side == 0) return half_edges_.twin[left] != kNoIndex ? left : right;
     return side < 0 ? left : right;
   }

@@ -11,6 +11,7 @@
 #include "wellspaced/algorithms/audit/worst_list.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/vector3.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -18,13 +19,6 @@ namespace {
 constexpr std::array<double, 11> kTetAspectBounds = {3,  3.5, 4,   5,    7,        10,
                                                      20, 50,  100, 1000, kInfinity};
 
-Point3 operator-(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point3 operator+(Point3 a, Point3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Point3 operator*(double s, Point3 a) { return {s * a.x, s * a.y, s * a.z}; }
-double dot(Point3 a, Point3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point3 cross(Point3 a, Point3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 double length(Point3 a) { return std::sqrt(dot(a, a)); }
 
 // A power of two that brings the coordinates near 1 where their powers might overflow or vanish.

@@ -1,10 +1,11 @@
 #include "wellspaced/algorithms/audit/tet_topology.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 
 #include "wellspaced/algorithms/audit/check_lists.hpp"
 #include "wellspaced/algorithms/audit/half_edges.hpp"
+#include "wellspaced/kernel/check_points.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -126,10 +127,8 @@ bool audit_tet_syntax(const TetMesh& mesh, Report& report) {
                        [&](Index t) { return in_range(mesh.tets[t], nodes); });
   ok &= check_each(report, "distinct_corners", Item::kTet, mesh.tets.size(),
                    [&](Index t) { return distinct(mesh.tets[t]); });
-  ok &= check_each(report, "finite_coordinates", Item::kNode, nodes, [&](Index v) {
-    const Point3 p = mesh.points[v];
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  });
+  ok &= check_each(report, "finite_coordinates", Item::kNode, nodes,
+                   [&](Index v) { return is_finite(mesh.points[v]); });
   ok &= check_each(report, "valid_facets", Item::kFacet, mesh.facets.size(), [&](Index i) {
     return in_range(mesh.facets[i].points, nodes) && distinct(mesh.facets[i].points);
   });

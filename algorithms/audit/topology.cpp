@@ -1,7 +1,8 @@
 #include "wellspaced/algorithms/audit/topology.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "wellspaced/kernel/check_points.hpp"
 
 #include "wellspaced/algorithms/audit/check_lists.hpp"
 
@@ -100,9 +101,8 @@ bool audit_syntax(const TriangleMesh& mesh, Report& report) {
                        [&](Index i) { return in_range(t[i], nodes); });
   ok &= check_each(report, "distinct_corners", Item::kTriangle, t.size(),
                    [&](Index i) { return distinct(t[i]); });
-  ok &= check_each(report, "finite_coordinates", Item::kNode, nodes, [&](Index i) {
-    return std::isfinite(mesh.points[i].x) && std::isfinite(mesh.points[i].y);
-  });
+  ok &= check_each(report, "finite_coordinates", Item::kNode, nodes,
+                   [&](Index i) { return is_finite(mesh.points[i]); });
   ok &= check_each(report, "valid_segments", Item::kSegment, mesh.segments.size(),
                    [&](Index i) { return valid(mesh.segments[i], nodes); });
   return audit_node_data(mesh, report) && ok;

@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/coarsening/skeleton.hpp"
 #include "wellspaced/algorithms/coarsening/special_points.hpp"
 #include "wellspaced/algorithms/spacing/graph_spacing.hpp"
+#include "wellspaced/kernel/check_points.hpp"
 
 namespace wellspaced {
 namespace {
@@ -22,7 +23,7 @@ Status check_mesh(const TriangleMesh& mesh) {
   const std::size_t nodes = mesh.points.size();
   if (nodes > kMaxNodes) return Error{ErrorCode::kLimit, "more than 2^28 nodes", {}};
   for (Index v = 0; v < nodes; ++v)
-    if (!std::isfinite(mesh.points[v].x) || !std::isfinite(mesh.points[v].y))
+    if (!is_finite(mesh.points[v]))
       return Error{ErrorCode::kInvalidGeometry,
                    "node " + std::to_string(v) + " has a coordinate that is not finite",
                    {v}};

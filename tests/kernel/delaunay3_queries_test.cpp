@@ -8,7 +8,6 @@
 
 #include "tests/support/delaunay3_checks.hpp"
 #include "tests/support/points3.hpp"
-#include "wellspaced/kernel/compare_distances.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
@@ -18,14 +17,6 @@ Delaunay3 built(const std::vector<Point3>& points) {
   auto result = Delaunay3::build(points);
   EXPECT_TRUE(result.ok());
   return result.ok() ? std::move(result).value() : Delaunay3();
-}
-
-TEST(CompareDistances, IsExactBelowRoundingAndBelowTheNormalRange) {
-  EXPECT_EQ(compare_distances({0, 0, 0}, {3, 4, 0}, {0, 0, 5}), 0);
-  EXPECT_EQ(compare_distances({0, 0, 0}, {3, 4, 0x1p-200}, {0, 0, 5}), 1);
-  EXPECT_EQ(compare_distances({0, 0, 0}, {3, 4, 0}, {0x1p-200, 0, 5}), -1);
-  EXPECT_EQ(compare_distances({0, 0, 0}, {5e-324, 0, 0}, {1e-323, 0, 0}), -1);
-  EXPECT_EQ(compare_distances({1e308, 0, 0}, {-1e308, 0, 0}, {-1e308, 1, 0}), -1);
 }
 
 TEST(Delaunay3Queries, ValidityHoldsForEveryDegenerateFamilyAndBelowDimensionThree) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -244,36 +245,60 @@ TEST(Insphere, IsPositiveInsideTheSphereOfAPositiveTetrahedron) {
   EXPECT_EQ(insphere(a, b, c, d, {1, 1, -1}), 0);
 }
 
-// Squared distances in the tests' own integers.
-int slow_distance_order(const std::array<double, 6>& x) {
+// |a - p|^2 - |b - p|^2 in the tests' own integers, for the coordinates of a, b and p.
+template <std::size_t N>
+int slow_compare_distances(const std::array<double, N>& x) {
+  constexpr std::size_t kDimension = N / 3;
   const int unit = lowest_exponent(x);
-  std::array<SlowInteger, 6> v;
-  for (std::size_t i = 0; i < 6; ++i) v[i] = SlowInteger::from_double(x[i], unit);
-  const auto squared = [&](std::size_t i) {
-    const SlowInteger dx = v[i] - v[4], dy = v[i + 1] - v[5];
-    return dx * dx + dy * dy;
-  };
-  return (squared(0) - squared(2)).sign();
+  SlowInteger sum;
+  for (std::size_t i = 0; i < kDimension; ++i) {
+    const SlowInteger p = SlowInteger::from_double(x[2 * kDimension + i], unit);
+    const SlowInteger a = SlowInteger::from_double(x[i], unit) - p;
+    const SlowInteger b = SlowInteger::from_double(x[kDimension + i], unit) - p;
+    sum = sum + a * a - b * b;
+  }
+  return sum.sign();
 }
 
-TEST(DistanceOrder, IsExactOnTenThousandHardLines) {
-  LineGenerator<IncircleCase> generator(9);
+template <class Point, std::size_t N>
+void expect_exact_distances(const std::array<double, N>& x, Point p, Point a, Point b) {
+  const int expected = slow_compare_distances(x);
+  ASSERT_EQ(compare_distances(p, a, b), expected) << text(x);
+  ASSERT_EQ(exact::big_sign<exact::CompareDistances<N / 3>>(x), expected) << text(x);
+  const int filtered = predicate_filter::compare_distances(p, a, b);
+  ASSERT_TRUE(filtered == 0 || filtered == expected) << text(x);
+}
+
+TEST(CompareDistances, IsExactOnTenThousandHardLinesInThePlane) {
+  LineGenerator<Orient2dCase> generator(9);
   for (int i = 0; i < 10000; ++i) {
-    const auto line = generator.line(static_cast<Family>(i % kFamilies));
-    const std::array<double, 6> x{line[0], line[1], line[2], line[3], line[4], line[5]};
-    const Point2 a{x[0], x[1]}, b{x[2], x[3]}, c{x[4], x[5]};
-    const int expected = slow_distance_order(x);
-    ASSERT_EQ(distance_order(a, b, c), expected) << text(x);
-    ASSERT_EQ(exact::big_sign<exact::DistanceOrder>(x), expected) << text(x);
-    const int filtered = predicate_filter::distance_order(a, b, c);
-    ASSERT_TRUE(filtered == 0 || filtered == expected) << text(x);
+    const auto x = generator.line(static_cast<Family>(i % kFamilies));
+    expect_exact_distances<Point2>(x, {x[4], x[5]}, {x[0], x[1]}, {x[2], x[3]});
   }
 }
 
-TEST(DistanceOrder, OfCocircularPointsAboutTheCentreIsZero) {
-  EXPECT_EQ(distance_order({3, 4}, {-5, 0}, {0, 0}), 0);
-  EXPECT_EQ(distance_order({0x3p-1074, 0x4p-1074}, {-0x5p-1074, 0}, {0, 0}), 0);
-  EXPECT_EQ(distance_order({3, 4}, {-5, 0x1p-1074}, {0, 0}), -1);
+TEST(CompareDistances, IsExactOnTenThousandHardLinesInSpace) {
+  LineGenerator<Orient3dCase> generator(9);
+  for (int i = 0; i < 10000; ++i) {
+    const auto line = generator.line(static_cast<Family>(i % kFamilies));
+    std::array<double, 9> x;
+    std::copy_n(line.begin(), 9, x.begin());
+    expect_exact_distances<Point3>(x, {x[6], x[7], x[8]}, {x[0], x[1], x[2]}, {x[3], x[4], x[5]});
+  }
+}
+
+TEST(CompareDistances, IsExactBelowRoundingAndBelowTheNormalRange) {
+  EXPECT_EQ(compare_distances(Point3{0, 0, 0}, {3, 4, 0}, {0, 0, 5}), 0);
+  EXPECT_EQ(compare_distances(Point3{0, 0, 0}, {3, 4, 0x1p-200}, {0, 0, 5}), 1);
+  EXPECT_EQ(compare_distances(Point3{0, 0, 0}, {3, 4, 0}, {0x1p-200, 0, 5}), -1);
+  EXPECT_EQ(compare_distances(Point3{0, 0, 0}, {5e-324, 0, 0}, {1e-323, 0, 0}), -1);
+  EXPECT_EQ(compare_distances(Point3{1e308, 0, 0}, {-1e308, 0, 0}, {-1e308, 1, 0}), -1);
+}
+
+TEST(CompareDistances, OfCocircularPointsFromTheCentreIsZero) {
+  EXPECT_EQ(compare_distances(Point2{0, 0}, {3, 4}, {-5, 0}), 0);
+  EXPECT_EQ(compare_distances(Point2{0, 0}, {0x3p-1074, 0x4p-1074}, {-0x5p-1074, 0}), 0);
+  EXPECT_EQ(compare_distances(Point2{0, 0}, {3, 4}, {-5, 0x1p-1074}), -1);
 }
 
 }  // namespace
