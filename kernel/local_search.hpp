@@ -50,14 +50,14 @@ class LocalSearch {
   /// The distance of a node that the last search reached.
   double distance(Index v) const { return labels_[v].distance; }
 
-  /// How many nodes the last search did not reach, but looked at from a reached one.
-  /// Changes: these count as reached from here on.
-  std::size_t count_frontier() {
+  /// Adds to the nodes that the last search reached those beside them, at no known distance.
+  /// Returns: all of them, each once; valid until the next search.
+  std::span<const Index> include_frontier() {
     const std::size_t inside = reached_.size();
     for (std::size_t i = 0; i < inside; ++i)
       for (const Graph::Arc& arc : graph_.arcs_of(reached_[i]))
         if (labels_[arc.target].search != search_) label(arc.target, 0);
-    return reached_.size() - inside;
+    return reached_;
   }
 
  private:

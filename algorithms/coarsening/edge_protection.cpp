@@ -1,5 +1,6 @@
 #include "wellspaced/algorithms/coarsening/edge_protection.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -26,25 +27,33 @@ struct MeasuredEdge {
 
 }  // namespace
 
-SearchCount protect_edges(LocalSearch& search, std::span<const Point2> points,
-                          std::span<const ContractedEdge> edges,
-                          std::span<const std::uint8_t> on_boundary, double ratio,
-                          NodeSelection& selection) {
-  SearchCount count;
+void protect_edges(LocalSearch& search, std::span<const Point2> points,
+                   std::span<const ContractedEdge> edges, std::span<const std::uint8_t> on_boundary,
+                   double ratio, NodeSelection& selection) {
   for (const ContractedEdge& edge : edges) {
     const Point2 a = points[edge.a], b = points[edge.b];
     const MeasuredEdge measured{a, b, distance(a, b)};
-    const double reach = measured.length * std::sqrt(0.25 + ratio * ratio);
-    const auto reached = search.run(std::array{edge.a, edge.b},
-                                    [&](Index, double d) { return d <= measured.length; });
-    std::size_t within_reach = 0;
-    for (const Index v : reached) {
-      within_reach += search.distance(v) <= reach;
+    for (const Index v : search.run(std::array{edge.a, edge.b},
+                                    [&](Index, double d) { return d <= measured.length; })) {
       const bool close = measured.has_in_diametral_circle(points[v]) &&
                          measured.distance_of_line_from(points[v]) < ratio * measured.length;
       if (close && !on_boundary[v]) selection.invalidate(v);
     }
-    count.add(within_reach);
+  }
+}
+
+SearchCount inspect_edges(LocalSearch& search, std::span<const Point2> points,
+                          std::span<const ContractedEdge> edges, double ratio,
+                          const NodeSelection& selection) {
+  SearchCount count;
+  for (const ContractedEdge& edge : edges) {
+    const Point2 a = points[edge.a], b = points[edge.b];
+    const Point2 middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+    const double radius = std::sqrt(0.25 + ratio * ratio) * distance(a, b);
+    search.run(std::array{edge.a, edge.b},
+               [&](Index v, double) { return distance(points[v], middle) <= radius; });
+    count.add(static_cast<std::size_t>(std::ranges::count_if(
+        search.include_frontier(), [&](Index v) { return !selection.is_selected(v); })));
   }
   return count;
 }

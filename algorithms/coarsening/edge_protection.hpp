@@ -18,12 +18,18 @@ namespace wellspaced {
 /// distance |edge|: a straight line to the nearer end is at most sqrt(1/4 + ratio^2) |edge| long,
 /// and a path through the mesh not much longer.
 /// search: in the mesh's graph. on_boundary: one flag a node; boundary nodes are exempt. ratio: R,
-/// >= 0. Returns: the nodes within graph distance sqrt(1/4 + ratio^2) |edge| of an end, for each
-/// edge. Cost: linear in the nodes within reach of the edges. See: section 7.4.1, Figures 7.8
-/// and 7.10 step 4; CHOICES 9 and 17.
-SearchCount protect_edges(LocalSearch& search, std::span<const Point2> points,
-                          std::span<const ContractedEdge> edges,
-                          std::span<const std::uint8_t> on_boundary, double ratio,
-                          NodeSelection& selection);
+/// >= 0. Cost: linear in the nodes within reach of the edges.
+/// See: section 7.4.1, Figures 7.8 and 7.10 step 4; CHOICES 9 and 17.
+void protect_edges(LocalSearch& search, std::span<const Point2> points,
+                   std::span<const ContractedEdge> edges, std::span<const std::uint8_t> on_boundary,
+                   double ratio, NodeSelection& selection);
+
+/// Counts the nodes that a search from each edge inspects: a search from both ends through the
+/// circle about the protective zone (its centre is the middle of the edge, its radius
+/// sqrt(1/4 + ratio^2) |edge|), the frontier included, and of these the nodes not yet selected.
+/// With this reading section 8.4.3 comes out; README.md says how closely.
+SearchCount inspect_edges(LocalSearch& search, std::span<const Point2> points,
+                          std::span<const ContractedEdge> edges, double ratio,
+                          const NodeSelection& selection);
 
 }  // namespace wellspaced

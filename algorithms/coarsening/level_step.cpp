@@ -55,8 +55,8 @@ NodeSelection::Considered search_counter(LocalSearch& search, std::span<const do
   return [&search, &count, f, beta = options.beta](Index node) {
     const double radius = 2 * f[node] / beta;
     const auto within = [=](Index, double d) { return d <= radius; };
-    const std::size_t reached = search.run(std::array{node}, within).size();
-    count.add(reached + search.count_frontier());
+    search.run(std::array{node}, within);
+    count.add(search.include_frontier().size());
   };
 }
 
@@ -146,8 +146,10 @@ Result<CoarseningStep> coarsen_level(const Level& finer, const Skeleton& skeleto
   const std::size_t chosen = selection.selected().size();
   const ContractedBoundary contracted = contract_and_repair(boundary, points, selection);
   const std::size_t reinstated = selection.selected().size() - chosen;
-  work.edge_protection = protect_edges(search, points, contracted.edges(), boundary.on_boundary,
-                                       protection_ratio(options), selection);
+  const double ratio = protection_ratio(options);
+  if (options.count_work)
+    work.edge_protection = inspect_edges(search, points, contracted.edges(), ratio, selection);
+  protect_edges(search, points, contracted.edges(), boundary.on_boundary, ratio, selection);
 
   if (!tell("select")) return cancelled();
   const std::vector<Index> interior = interior_nodes(boundary);

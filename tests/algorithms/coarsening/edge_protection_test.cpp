@@ -67,14 +67,28 @@ TEST(ProtectEdges, ExemptsSelectedNodes) {
   EXPECT_FALSE(domain.selection.is_free(32));
 }
 
-TEST(ProtectEdges, CountsTheNodesWithinReachOfEachEdge) {
+// The lower left corner of a grid with edges of length 2, cut along the rising diagonals.
+TEST(InspectEdges, CountsTheUnselectedNodesInTheCircleAndBesideIt) {
   Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 2);
-  const SearchCount count = protect_edges(domain.search, domain.mesh.points, domain.edges,
-                                          domain.boundary.on_boundary, 0.2, domain.selection);
-  EXPECT_EQ(count.searches, 40u);
-  // Edges of length 2, reach 1.077: both ends, the node between, and each end's neighbours.
-  EXPECT_GE(count.max, 5u);
-  EXPECT_LE(count.max, 7u);
+  for (const ContractedEdge& edge : domain.edges)
+    domain.selection.force(std::vector<Index>{edge.a, edge.b});
+  const std::vector<ContractedEdge> lowest(1, domain.edges[0]);
+  ASSERT_EQ(lowest[0].a, 0u);
+  ASSERT_EQ(lowest[0].b, 2u);
+  const SearchCount count =
+      inspect_edges(domain.search, domain.mesh.points, lowest, 0.2, domain.selection);
+  EXPECT_EQ(count.searches, 1u);
+  // Inside the circle of radius 1.077 about (1, 0): the ends, (1, 0) and (1, 1).
+  std::vector<bool> inspected(domain.graph.nodes());
+  for (const Index v : {0u, 1u, 2u, 22u}) {
+    inspected[v] = true;
+    for (const Graph::Arc& arc : domain.graph.arcs_of(v)) inspected[arc.target] = true;
+  }
+  std::size_t expected = 0;
+  for (Index v = 0; v < domain.graph.nodes(); ++v)
+    expected += inspected[v] && !domain.selection.is_selected(v);
+  EXPECT_EQ(count.max, expected);
+  EXPECT_EQ(count.total, expected);
 }
 
 }  // namespace
