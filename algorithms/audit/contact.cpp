@@ -37,8 +37,8 @@ bool segments_meet_in_plane(int axis, Point3 p, Point3 q, Point3 a, Point3 b) {
   if (at_a != 0 || at_b != 0) return true;
   // All on one line: compare along it.
   const auto key = [](Point3 x) { return std::array{x.x, x.y, x.z}; };
-  const auto [p_low, p_high] = std::minmax(key(p), key(q));
-  const auto [a_low, a_high] = std::minmax(key(a), key(b));
+  const auto [p_low, p_high] = std::minmax({key(p), key(q)});
+  const auto [a_low, a_high] = std::minmax({key(a), key(b)});
   return p_low <= a_high && a_low <= p_high;
 }
 

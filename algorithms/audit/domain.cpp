@@ -6,6 +6,7 @@
 #include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/algorithms/audit/exact_tests.hpp"
 #include "wellspaced/algorithms/audit/places.hpp"
+#include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/algorithms/audit/stars.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
@@ -35,27 +36,17 @@ class NodesByPlace {
   std::vector<Index> nodes_;
 };
 
-// Whether the line through a and b passes through the box of 2 units in the last place around p.
-bool passes_near(Point2 a, Point2 b, Point2 p) {
-  const int sign = orient2d(a, b, p);
-  if (sign == 0) return true;
-  const double left = moved_by_ulps(p.x, -2), right = moved_by_ulps(p.x, 2);
-  const double low = moved_by_ulps(p.y, -2), high = moved_by_ulps(p.y, 2);
-  for (const Point2 corner : {Point2{left, low}, {right, low}, {left, high}, {right, high}})
-    if (orient2d(a, b, corner) != sign) return true;
-  return false;
-}
-
 // Follows the segments of the domain through the mesh.
 class ChainWalk {
  public:
-  ChainWalk(const TriangleMesh& mesh, const HalfEdges& half_edges)
+  ChainWalk(const TriangleMesh& mesh, const HalfEdges& half_edges, double units)
       : mesh_(mesh),
         half_edges_(half_edges),
         by_place_(mesh.points),
         stars_(mesh.triangles, mesh.points.size()),
         on_domain_(half_edges.twin.size(), 0),
-        off_line_(mesh.points.size(), 0) {}
+        off_line_(mesh.points.size(), 0),
+        units_(units) {}
 
   bool has_node_at(Point2 p) const { return !by_place_.at(p).empty(); }
 
@@ -89,7 +80,8 @@ class ChainWalk {
     for_each_neighbour(at, [&](Index w, Index) {
       const Point2 p = mesh_.points[w];
       if (nearest != kNoIndex && distance(at, p) >= distance(at, mesh_.points[nearest])) return;
-      if (p == b || (passes_near(a, b, p) && angle_sign(at, p, b) > 0 && angle_sign(b, p, at) > 0))
+      if (p == b ||
+          (passes_near(a, b, p, units_) && angle_sign(at, p, b) > 0 && angle_sign(b, p, at) > 0))
         nearest = w;
     });
     return nearest;
@@ -109,6 +101,7 @@ class ChainWalk {
   NodesByPlace by_place_;
   Stars stars_;
   std::vector<std::uint8_t> on_domain_, off_line_;
+  double units_;
 };
 
 void audit_points(const Pslg& domain, const ChainWalk& walk, Report& report) {
@@ -183,9 +176,10 @@ bool has_convex_boundary(const TriangleMesh& mesh, const HalfEdges& half_edges) 
   return length == rims;
 }
 
-void audit_domain(const TriangleMesh& mesh, const HalfEdges& half_edges, const Pslg& domain,
+void audit_domain(const TriangleMesh& mesh, const HalfEdges& half_edges, const DomainToMeet& given,
                   Report& report) {
-  ChainWalk walk(mesh, half_edges);
+  const Pslg& domain = given.domain;
+  ChainWalk walk(mesh, half_edges, given.allowance);
   audit_points(domain, walk, report);
   audit_segments(mesh, domain, walk, report);
   const bool is_hull = domain.holes.empty() && has_convex_boundary(mesh, half_edges);

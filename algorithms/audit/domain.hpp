@@ -11,6 +11,13 @@
 
 namespace wellspaced::audit {
 
+/// allowance: how far nodes may be from their segments, see below. 2 covers a place that is rounded
+/// once; a file with 15 decimal digits needs more.
+struct DomainToMeet {
+  const Pslg& domain;
+  double allowance = 2;
+};
+
 /// Judges a mesh against the domain that it should be a mesh of. Checks:
 ///   domain_points_are_nodes    (required) at every point of the domain there is a node
 ///   domain_segments_are_edges  (required) every segment is a chain of mesh edges, from end to end
@@ -21,13 +28,14 @@ namespace wellspaced::audit {
 ///                              it is then a triangulation of the hull
 ///   holes_are_open             (required) no triangle contains a hole seed in its interior or on
 ///                              its edges; only for a domain with hole seeds
-/// A node counts as on a segment if the segment's line passes through the box of 2 units in the
-/// last place around the node: a point of a sloping segment can hardly be represented exactly.
-/// domain_segments_exact tells which nodes needed that.
+/// A point of a sloping segment can hardly be represented exactly: a node counts as on a segment if
+/// the segment's line passes through the box around the node whose half sides are `allowance` units
+/// in the last place of the segment's largest x and y. domain_segments_exact tells which nodes
+/// needed that.
 /// Requires: audit_syntax passed; half_edges is of this mesh; segment ends of the domain in range.
 /// Cost: O(n log n + m) for n nodes and the degrees m of the nodes on the segments.
 /// See: section 2.1.
-void audit_domain(const TriangleMesh& mesh, const HalfEdges& half_edges, const Pslg& domain,
+void audit_domain(const TriangleMesh& mesh, const HalfEdges& half_edges, const DomainToMeet& domain,
                   Report& report);
 
 /// The check holes_are_open alone. Cost: O(n log h) for n triangles and h seeds.

@@ -30,7 +30,8 @@ void audit_in_local_order(const TriangleMesh& mesh, const MeshAuditOptions& opti
     require_boundary_segments(mesh, half_edges, report);
   const std::vector<std::int8_t> orientation = orientations(mesh);
   audit_embedding(mesh, half_edges, orientation, report);
-  if (options.domain != nullptr) audit_domain(mesh, half_edges, *options.domain, report);
+  if (options.domain != nullptr)
+    audit_domain(mesh, half_edges, {*options.domain, options.allowance}, report);
   if (!options.holes.empty()) audit_holes(mesh, options.holes, report);
   audit_delaunay(mesh, half_edges, orientation, report);
   audit_shape(mesh, half_edges, report);

@@ -16,6 +16,7 @@ enum class SegmentMeaning { kSomeEdges, kWholeBoundary };
 /// What a mesh is judged against, beside itself.
 struct MeshAuditOptions {
   const Pslg* domain = nullptr;        ///< the domain that it should be a mesh of; null: not known
+  double allowance = 2;                ///< how far nodes may be off it (DomainToMeet)
   std::span<const Point2> holes = {};  ///< points that must be in no triangle
   SegmentMeaning segments = SegmentMeaning::kSomeEdges;
 };

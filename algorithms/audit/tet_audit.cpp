@@ -19,7 +19,8 @@ void audit_in_local_order(const TetMesh& mesh, const TetAuditOptions& options, R
   audit_tet_topology(mesh, faces, report);
   const std::vector<std::int8_t> orientation = tet_orientations(mesh);
   audit_tet_embedding(mesh, faces, orientation, report);
-  if (options.domain != nullptr) audit_tet_domain(mesh, faces, *options.domain, report);
+  if (options.domain != nullptr)
+    audit_tet_domain(mesh, faces, {*options.domain, options.allowance}, report);
   audit_tet_delaunay(mesh, faces, orientation, report);
   audit_tet_shape(mesh, report);
 }

@@ -8,8 +8,10 @@
 namespace wellspaced::audit {
 
 /// domain: the domain that the mesh should be a mesh of; null: not known.
+/// allowance: how far nodes may be off it (SolidToMeet).
 struct TetAuditOptions {
   const PolyhedralDomain* domain = nullptr;
+  double allowance = 2;
 };
 
 /// Judges a tetrahedral mesh, whoever made it: syntax and topology (tet_topology.hpp), embedding

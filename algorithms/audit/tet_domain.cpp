@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
-#include "wellspaced/algorithms/audit/places.hpp"
+#include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced::audit {
@@ -23,48 +23,33 @@ double distance_sq(Point3 a, Point3 b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z);
 }
 
-// The box of so many units in the last place around p: its low and high corners.
-std::array<Point3, 2> box_around(Point3 p, double units) {
-  return {
-      Point3{moved_by_ulps(p.x, -units), moved_by_ulps(p.y, -units), moved_by_ulps(p.z, -units)},
-      Point3{moved_by_ulps(p.x, units), moved_by_ulps(p.y, units), moved_by_ulps(p.z, units)}};
-}
-
-// Whether a function, given as the sign at a point, changes sign or vanishes over the box.
-template <class SignAt>
-bool vanishes_near(Point3 p, double units, SignAt sign_at) {
-  const int sign = sign_at(p);
-  if (sign == 0) return true;
-  const auto box = box_around(p, units);
-  for (int i = 0; i < 8; ++i)
-    if (sign_at(Point3{box[i & 1].x, box[i >> 1 & 1].y, box[i >> 2].z}) != sign) return true;
-  return false;
-}
-
 Point2 in_xy(Point3 p) { return {p.x, p.y}; }
 Point2 in_yz(Point3 p) { return {p.y, p.z}; }
 Point2 in_zx(Point3 p) { return {p.z, p.x}; }
 
-bool near_line(Point3 a, Point3 b, Point3 p) {
+bool near_line(Point3 a, Point3 b, Point3 p, double units) {
+  const Point3 half = rounding_box(a, b, units);
   const auto near_in = [&](auto view) {
-    return vanishes_near(p, 2, [&](Point3 q) { return orient2d(view(a), view(b), view(q)); });
+    return vanishes_near(p, half, [&](Point3 q) { return orient2d(view(a), view(b), view(q)); });
   };
   return near_in(in_xy) && near_in(in_yz) && near_in(in_zx);
 }
 
-// Whether p lies between a and b, given that it is near their line: in each coordinate.
-bool lies_between(Point3 a, Point3 p, Point3 b) {
-  const auto in = [](double x, double y, double z) {
-    return std::min(x, z) <= y && y <= std::max(x, z);
-  };
-  return in(a.x, p.x, b.x) && in(a.y, p.y, b.y) && in(a.z, p.z, b.z);
-}
+// How far along from a to b the points are: by the coordinate in which a and b differ most.
+class Along {
+ public:
+  Along(Point3 a, Point3 b) {
+    const double extents[] = {b.x - a.x, b.y - a.y, b.z - a.z};
+    for (int i = 1; i < 3; ++i)
+      if (std::fabs(extents[i]) > std::fabs(extents[axis_])) axis_ = i;
+    sign_ = extents[axis_] < 0 ? -1 : 1;
+  }
+  double operator()(Point3 p) const { return sign_ * (axis_ == 0 ? p.x : axis_ == 1 ? p.y : p.z); }
 
-// Whether p lies farther from a than q does, on the segment a b, in some coordinate.
-bool is_beyond(Point3 a, Point3 q, Point3 p) {
-  return std::fabs(p.x - a.x) > std::fabs(q.x - a.x) ||
-         std::fabs(p.y - a.y) > std::fabs(q.y - a.y) || std::fabs(p.z - a.z) > std::fabs(q.z - a.z);
-}
+ private:
+  int axis_ = 0;
+  double sign_ = 1;
+};
 
 // The tets around each node, and the nodes sorted by place.
 class MeshIndex {
@@ -117,20 +102,23 @@ class MeshIndex {
 };
 
 // The mesh edges along the segment from a to b; empty if there is no such chain.
-std::vector<NodePair> chain_along(const TetMesh& mesh, const MeshIndex& index, Point3 a, Point3 b) {
+std::vector<NodePair> chain_along(const TetMesh& mesh, const MeshIndex& index, Point3 a, Point3 b,
+                                  double units) {
+  const Along along(a, b);
   std::vector<NodePair> chain;
   Index at = index.node_at(a);
   while (at != kNoIndex && mesh.points[at] != b && chain.size() < mesh.points.size()) {
-    const Point3 here = mesh.points[at];
+    const double here = along(mesh.points[at]);
+    double there = along(b);
     Index next = kNoIndex;
     for (const Index t : index.tets_around(at))
       for (const Index w : mesh.tets[t]) {
         const Point3 p = mesh.points[w];
-        if (w == at ||
-            (next != kNoIndex && distance_sq(here, p) >= distance_sq(here, mesh.points[next])))
-          continue;
-        if (p == b || (lies_between(here, p, b) && is_beyond(a, here, p) && near_line(a, b, p)))
-          next = w;
+        const bool is_end = next == kNoIndex && p == b;
+        const bool is_nearer = here < along(p) && along(p) < there;
+        if (!is_end && !(is_nearer && near_line(a, b, p, units))) continue;
+        next = w;
+        there = along(p);
       }
     if (next == kNoIndex) return {};
     chain.push_back(node_pair(at, next));
@@ -145,6 +133,7 @@ std::vector<NodePair> chain_along(const TetMesh& mesh, const MeshIndex& index, P
 // may be.
 struct FacetPlane {
   Point3 a, b, c;
+  Point3 unit;  // of the facet's largest coordinates
   double units = 2;
 
   // Whether a, b and c are on one line, as all projections show.
@@ -154,7 +143,8 @@ struct FacetPlane {
   }
 
   bool contains(Point3 p) const {
-    return vanishes_near(p, units, [&](Point3 q) { return orient3d(a, b, c, q); });
+    const Point3 half{units * unit.x, units * unit.y, units * unit.z};
+    return vanishes_near(p, half, [&](Point3 q) { return orient3d(a, b, c, q); });
   }
 };
 
@@ -164,8 +154,13 @@ double area_sq(Point3 a, Point3 b, Point3 c) {
   return x * x + y * y + z * z;
 }
 
-FacetPlane plane_of(const std::vector<Point3>& points) {
-  FacetPlane plane{points[0], points[0], points[0]};
+FacetPlane plane_of(const std::vector<Point3>& points, double units) {
+  FacetPlane plane{points[0], points[0], points[0], rounding_box(points[0], points[0], 1), units};
+  for (const Point3& p : points) {
+    const Point3 unit = rounding_box(p, p, 1);
+    plane.unit = {std::max(plane.unit.x, unit.x), std::max(plane.unit.y, unit.y),
+                  std::max(plane.unit.z, unit.z)};
+  }
   for (const Point3& p : points)
     if (distance_sq(plane.a, p) > distance_sq(plane.a, plane.b)) plane.b = p;
   for (const Point3& p : points)
@@ -307,12 +302,14 @@ class FacetCover {
 
 class DomainAudit {
  public:
-  DomainAudit(const TetMesh& mesh, const TetFaces& faces, const PolyhedralDomain& domain)
+  DomainAudit(const TetMesh& mesh, const TetFaces& faces, const SolidToMeet& given)
       : mesh_(mesh),
         faces_(faces),
-        domain_(domain),
+        domain_(given.domain),
         index_(mesh),
-        on_domain_(faces.twin.size(), 0) {}
+        on_domain_(faces.twin.size(), 0),
+        least_allowance_(given.allowance),
+        allowance_(given.allowance) {}
 
   void run(Report& report) {
     audit_points(report);
@@ -352,7 +349,9 @@ class DomainAudit {
 
   const std::vector<NodePair>& find_chain(Index a, Index b) {
     const auto [at, is_new] = chains_.try_emplace(node_pair(a, b));
-    if (is_new) at->second = chain_along(mesh_, index_, domain_.points[a], domain_.points[b]);
+    if (is_new)
+      at->second =
+          chain_along(mesh_, index_, domain_.points[a], domain_.points[b], least_allowance_);
     return at->second;
   }
 
@@ -371,7 +370,7 @@ class DomainAudit {
         for (const NodePair& edge : find_chain(a, b)) edges[edge] = !edges[edge];
       });
     if (edges.empty()) return false;
-    const FacetPlane plane = plane_of(points);
+    const FacetPlane plane = plane_of(points, least_allowance_);
     if (plane.is_degenerate()) return false;
     allowance_ = std::max(allowance_, plane.units);
     FacetCover cover(mesh_, faces_, index_, plane);
@@ -431,12 +430,12 @@ class DomainAudit {
   MeshIndex index_;
   std::map<NodePair, std::vector<NodePair>> chains_;
   std::vector<std::uint8_t> on_domain_;
-  double allowance_ = 2;
+  double least_allowance_, allowance_;
 };
 
 }  // namespace
 
-void audit_tet_domain(const TetMesh& mesh, const TetFaces& faces, const PolyhedralDomain& domain,
+void audit_tet_domain(const TetMesh& mesh, const TetFaces& faces, const SolidToMeet& domain,
                       Report& report) {
   DomainAudit(mesh, faces, domain).run(report);
 }

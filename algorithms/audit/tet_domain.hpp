@@ -22,6 +22,12 @@ struct PolyhedralDomain {
   std::vector<Point3> holes;
 };
 
+/// allowance: how far nodes may be from their segments and facets, see below.
+struct SolidToMeet {
+  const PolyhedralDomain& domain;
+  double allowance = 2;
+};
+
 /// Judges a mesh against the domain that it should be a mesh of. Checks, all required:
 ///   domain_points_are_nodes    at every point of the domain there is a node
 ///   domain_segments_are_edges  every segment and every edge of a polygon is a chain of mesh edges;
@@ -31,10 +37,12 @@ struct PolyhedralDomain {
 ///                              judged for a domain without facets
 ///   holes_are_open             no tet contains a hole point, inside or on its boundary; only for a
 ///                              domain with hole points
-/// A node counts as on a line or plane if it is within 2 units in the last place of each of its
-/// coordinates. For a facet whose own points are not in one plane that exactly, the allowance is
-/// doubled until they are. A facet whose points are all on one line is no union of faces.
-/// Measure: facet_allowance, the largest such allowance, in units in the last place.
+/// A node counts as on a line or plane if that passes through the box around the node whose half
+/// sides are `allowance` units in the last place of the largest coordinates of the segment or
+/// facet. For a facet whose own points are not in one plane that exactly, the allowance is doubled
+/// until they are. A facet whose points are all on one line is no union of faces. Measure:
+/// facet_allowance, the largest such allowance. Where two nodes lie at one place, as on the two
+/// sides of a crack, one of them is followed.
 ///
 /// How a union is found. The edges of the facet have been found as chains of mesh edges. The mesh
 /// faces near its plane fall into pieces that these chains separate. A piece with a rim elsewhere
@@ -44,7 +52,7 @@ struct PolyhedralDomain {
 /// Requires: audit_tet_syntax passed; faces is of this mesh; indices of the domain in range.
 /// Cost: O(n log n) for n tets, and the faces on the facets times the degrees of their nodes.
 /// See: section 4.2.
-void audit_tet_domain(const TetMesh& mesh, const TetFaces& faces, const PolyhedralDomain& domain,
+void audit_tet_domain(const TetMesh& mesh, const TetFaces& faces, const SolidToMeet& domain,
                       Report& report);
 
 }  // namespace wellspaced::audit

@@ -24,8 +24,10 @@
 namespace wellspaced::cli {
 namespace {
 
-constexpr std::array<Option, 4> kOptions = {{
+constexpr std::array<Option, 5> kOptions = {{
     {"--domain", "FILE", "the domain that the mesh must conform to"},
+    {"--allowance", "ULPS",
+     "how far rounding may put nodes off its segments, in units in the last place (2)"},
     {"--require", "NAME|EXPR|@FILE",
      "let a check, or a bound like \"min_angle>=15\", count; @FILE: one a line",
      Option::Times::kAnyNumber},
@@ -36,6 +38,7 @@ constexpr std::array<Option, 4> kOptions = {{
 // What the options ask for.
 struct Demands {
   std::optional<Pslg> domain;
+  double allowance = 2;
   std::vector<audit::Requirement> requirements;
   bool strict = false;
   std::string vtu;
@@ -72,10 +75,12 @@ Status read_domain(const std::string& path, Demands& demands) {
   return Ok{};
 }
 
-Result<Demands> read_demands(const Arguments& arguments) {
+Result<Demands> read_demands(Arguments& arguments) {
   Demands demands;
   demands.strict = arguments.has("--strict");
   demands.vtu = arguments.text("--vtu", "");
+  demands.allowance = arguments.number("--allowance", demands.allowance, at_least(0));
+  if (!arguments.status()) return arguments.status().error();
   for (const std::string& text : arguments.values("--require")) {
     const Status status = text.rfind('@', 0) == 0 ? read_requirements(text.substr(1), demands)
                                                   : add_requirement(text, demands);
@@ -131,6 +136,7 @@ audit::Report report_on(const Error& invalid_input, Session& session) {
 audit::Report audit_triangles(const std::string& path, const Geometry& geometry,
                               const Demands& demands) {
   audit::MeshAuditOptions options;
+  options.allowance = demands.allowance;
   if (demands.domain) options.domain = &*demands.domain;
   if (!demands.domain) options.holes = geometry.holes;
   if (is_triangle_set(path)) options.segments = audit::SegmentMeaning::kWholeBoundary;

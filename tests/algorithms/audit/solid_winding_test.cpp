@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/support/audit_tet_meshes.hpp"
@@ -142,6 +143,17 @@ TEST(SolidWinding, SeesImproperContacts) {
   }
   const auto report = audit::audit_tet_mesh(test::side_by_side(big, cube, {1.5, 1.5, 1.5}));
   EXPECT_GT(report.check("no_overlap")->violations, 0u);
+}
+
+// As tetgen meshes the face of a cube: triangles of a fan around a node whose far edges lie in
+// line.
+TEST(SolidWinding, AllowsFacesOfOneFanWithTheirFarEdgesInLine) {
+  const std::array<Point3, 3> a = {{{-1, 0, -1}, {-1, -0.125, -1}, {-0.75, -0.1875, -1}}};
+  const std::array<Point3, 3> b = {{{-1, -0.25, -1}, {-1, -0.375, -1}, {-0.75, -0.1875, -1}}};
+  EXPECT_FALSE(audit::meet_improperly(a, {0, 1, 2}, b, {3, 4, 2}));
+  EXPECT_FALSE(audit::meet_improperly(b, {3, 4, 2}, a, {0, 1, 2}));
+  const std::array<Point3, 3> c = {{{-1, -0.0625, -1}, {-1, -0.375, -1}, {-0.75, -0.1875, -1}}};
+  EXPECT_TRUE(audit::meet_improperly(a, {0, 1, 2}, c, {3, 4, 2}));
 }
 
 TEST(SolidWinding, TellsAContactFromAnOverlapByOneUnitInTheLastPlace) {

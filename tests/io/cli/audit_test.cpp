@@ -103,6 +103,19 @@ TEST(AuditCommand, JudgesConformityToADomain) {
   EXPECT_TRUE(contains(run.out, "FAIL: 1, domain segments 0\n")) << run.out;
 }
 
+TEST(AuditCommand, AllowsForRoundedNodesAsMuchAsAsked) {
+  const TemporaryDirectory directory;
+  const std::string mesh = directory.write("mesh.node",
+                                           "4 2 0 0\n1 0 0\n2 3 1\n3 0 2\n"
+                                           "4 1 0.33333333333333\n");
+  directory.write("mesh.ele", "2 3 0\n1 1 4 3\n2 4 2 3\n");
+  const std::string domain =
+      directory.write("domain.poly", "3 2 0 0\n1 0 0\n2 3 1\n3 0 2\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+  EXPECT_EQ(run_program({"audit", mesh, "--domain", domain}).exit_code, 1);
+  EXPECT_EQ(run_program({"audit", mesh, "--domain", domain, "--allowance", "32"}).exit_code, 0);
+  EXPECT_EQ(run_program({"audit", mesh, "--domain", domain, "--allowance", "-1"}).exit_code, 2);
+}
+
 TEST(AuditCommand, MarksTheOffendersInAPicture) {
   const Square square("2 3 0\n1 1 2 3\n2 1 4 3\n");
   const std::string picture = square.directory / "out.vtu";
