@@ -134,6 +134,15 @@ Result<Delaunay2> Delaunay2::build(std::span<const Point2> points) {
   return result;
 }
 
+Result<Delaunay2> Delaunay2::build(std::span<const Point2> points,
+                                   std::span<const Index> along_curve) {
+  assert(along_curve.size() == points.size());
+  if (Status status = check_points(points); !status) return status.error();
+  Delaunay2 result;
+  result.build_from(points, insertion_order(along_curve));
+  return result;
+}
+
 // Triangulates points[order[0]], points[order[1]], ...
 void Delaunay2::build_from(std::span<const Point2> points, std::vector<Index> order) {
   points_.resize(order.size());

@@ -38,6 +38,11 @@ class Delaunay2 {
   /// peak.
   static Result<Delaunay2> build(std::span<const Point2> points);
 
+  /// The same, for points that were brought into order along a curve before: along_curve holds each
+  /// point number once. Only ties may be broken differently. Cost: without a sort.
+  static Result<Delaunay2> build(std::span<const Point2> points,
+                                 std::span<const Index> along_curve);
+
   /// -1: no point; 0: all points are equal; 1: all are collinear; 2.
   int dimension() const { return dimension_; }
   const std::vector<Point2>& points() const { return points_; }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -233,14 +234,21 @@ constexpr unsigned kPlaneRoundBits = 3;
 constexpr unsigned kSpaceRoundBits = 2;
 constexpr std::size_t kFirstRound = 256;
 
+unsigned round_count(std::size_t points, unsigned round_bits) {
+  unsigned rounds = 1;
+  while (rounds < kMaxRounds && (points >> (rounds * round_bits)) > kFirstRound) ++rounds;
+  return rounds;
+}
+
+unsigned round_of_point(std::size_t i, unsigned rounds, unsigned round_bits) {
+  const unsigned back = static_cast<unsigned>(std::countr_zero(splitmix64(i))) / round_bits;
+  return rounds - 1 - std::min(back, rounds - 1);
+}
+
 template <class Point>
 std::vector<Index> order_in_rounds(std::span<const Point> points, unsigned round_bits) {
-  unsigned rounds = 1;
-  while (rounds < kMaxRounds && (points.size() >> (rounds * round_bits)) > kFirstRound) ++rounds;
-  return order_by(points, [&](std::size_t i) {
-    const unsigned back = static_cast<unsigned>(std::countr_zero(splitmix64(i))) / round_bits;
-    return rounds - 1 - std::min(back, rounds - 1);
-  });
+  const unsigned rounds = round_count(points.size(), round_bits);
+  return order_by(points, [&](std::size_t i) { return round_of_point(i, rounds, round_bits); });
 }
 
 }  // namespace
@@ -259,6 +267,16 @@ std::vector<Index> insertion_order(std::span<const Point2> points) {
 
 std::vector<Index> insertion_order(std::span<const Point3> points) {
   return order_in_rounds(points, kSpaceRoundBits);
+}
+
+std::vector<Index> insertion_order(std::span<const Index> along_curve) {
+  const unsigned rounds = round_count(along_curve.size(), kPlaneRoundBits);
+  std::array<std::size_t, kMaxRounds + 1> next{};  // where each round's next point goes
+  for (const Index v : along_curve) ++next[round_of_point(v, rounds, kPlaneRoundBits) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Index> order(along_curve.size());
+  for (const Index v : along_curve) order[next[round_of_point(v, rounds, kPlaneRoundBits)]++] = v;
+  return order;
 }
 
 }  // namespace wellspaced

@@ -31,4 +31,8 @@ std::vector<Index> hilbert_order(std::span<const Point3> points);
 std::vector<Index> insertion_order(std::span<const Point2> points);
 std::vector<Index> insertion_order(std::span<const Point3> points);
 
+/// The same rounds for points of the plane that were brought into order along a curve before:
+/// along_curve holds each point number once. Cost: linear, with no sort.
+std::vector<Index> insertion_order(std::span<const Index> along_curve);
+
 }  // namespace wellspaced

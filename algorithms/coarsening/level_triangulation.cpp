@@ -104,8 +104,10 @@ std::vector<Segment> as_segments(std::span<const ConstrainedEdge> edges) {
 }  // namespace
 
 Result<DomainTriangulation> triangulate_domain(std::span<const Point2> points,
-                                               std::span<const ConstrainedEdge> edges) {
-  auto delaunay = Delaunay2::build(points);
+                                               std::span<const ConstrainedEdge> edges,
+                                               std::span<const Index> along_curve) {
+  auto delaunay =
+      along_curve.empty() ? Delaunay2::build(points) : Delaunay2::build(points, along_curve);
   if (!delaunay) return delaunay.error();
   if (delaunay->dimension() < 2) return DomainTriangulation{{}, as_segments(edges)};
 

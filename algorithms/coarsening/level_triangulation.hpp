@@ -36,9 +36,11 @@ struct DomainTriangulation {
 /// Returns: an edge that passes through a further point appears in pieces. Points outside are in
 ///   no triangle. Fewer than 3 points, or collinear ones: no triangles.
 /// Errors: those of Delaunay2::build; kInvalidGeometry where edges cross (ids: their ends).
-/// Cost: O(n log n) expected.
+/// along_curve: the point numbers in order along a curve, if the caller has them so; else empty.
+/// Cost: O(n log n) expected; in practice linear, and without a sort if along_curve is given.
 /// See: section 8.2 step 4, CHOICES 16.
 Result<DomainTriangulation> triangulate_domain(std::span<const Point2> points,
-                                               std::span<const ConstrainedEdge> edges);
+                                               std::span<const ConstrainedEdge> edges,
+                                               std::span<const Index> along_curve = {});
 
 }  // namespace wellspaced

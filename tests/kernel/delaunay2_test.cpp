@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "tests/support/point_families.hpp"
 #include "tests/support/triangulation_checks.hpp"
+#include "wellspaced/kernel/point_order.hpp"
 
 namespace wellspaced {
 namespace {
@@ -52,6 +54,25 @@ TEST(Delaunay2, NotFiniteCoordinatesAreErrorsThatNameThePoints) {
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, ErrorCode::kInvalidGeometry);
   EXPECT_EQ(result.error().ids, (std::vector<Index>{1, 3}));
+}
+
+TEST(Delaunay2, EveryOrderAlongACurveGivesTheDelaunayTriangulation) {
+  const auto sorted_triangles = [](const Delaunay2& dt) {
+    auto triangles = triangles_of(dt);
+    for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  };
+  for (const auto& family : point_families(300, 12)) {
+    std::vector<Index> backwards = hilbert_order(family.points);
+    std::reverse(backwards.begin(), backwards.end());
+    const auto dt = Delaunay2::build(family.points, backwards);
+    ASSERT_TRUE(dt.ok());
+    EXPECT_TRUE(is_constrained_delaunay(*dt)) << family.name;
+    EXPECT_EQ(dt->duplicate_count(), built(family.points).duplicate_count()) << family.name;
+    if (family.name == "uniform")
+      EXPECT_EQ(sorted_triangles(*dt), sorted_triangles(built(family.points)));
+  }
 }
 
 TEST(Delaunay2, EveryFamilyIsDelaunay) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "tests/support/point_families.hpp"
 #include "tests/support/points3.hpp"
 
 namespace wellspaced {
@@ -49,6 +50,12 @@ TEST(PointOrder, OrdersHoldEveryPointOnceForEveryDegenerateFamily) {
     EXPECT_TRUE(is_permutation_of_numbers(insertion_order(points)));
   }
   EXPECT_TRUE(hilbert_order(std::vector<Point3>{}).empty());
+}
+
+TEST(PointOrder, TheRoundsOfAHilbertOrderAreThoseOfThePoints) {
+  const auto points = test::uniform_points(5000, 4);
+  EXPECT_EQ(insertion_order(hilbert_order(points)), insertion_order(points));
+  EXPECT_TRUE(insertion_order(std::vector<Index>{}).empty());
 }
 
 TEST(PointOrder, EqualPointsKeepTheirOrder) {
