@@ -8,15 +8,12 @@ set(WELLSPACED_INCLUDE_DIR ${CMAKE_CURRENT_BINARY_DIR}/include)
 function(wellspaced_private_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow
-      $<$<BOOL:${WELLSPACED_WERROR}>:-Werror>)
-  elseif(MSVC)
-    target_compile_options(${target} PRIVATE /fp:precise /W4)
-  endif()
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow
+    $<$<BOOL:${WELLSPACED_WERROR}>:-Werror>)
 endfunction()
 
-# wellspaced_layer(NAME SOURCES ... DEPENDS ...): the library wellspaced::NAME.
+# wellspaced_layer(NAME SOURCES ... DEPENDS ...): the library wellspaced::NAME. Its sources are compiled
+# some at a time (-DCMAKE_UNITY_BUILD=OFF: one at a time, better for edit and build).
 function(wellspaced_layer name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   file(MAKE_DIRECTORY ${WELLSPACED_INCLUDE_DIR}/wellspaced)
@@ -26,6 +23,9 @@ function(wellspaced_layer name)
   add_library(wellspaced::${name} ALIAS wellspaced_${name})
   set_target_properties(wellspaced_${name} PROPERTIES EXPORT_NAME ${name}
     POSITION_INDEPENDENT_CODE ON)
+  if(NOT DEFINED CMAKE_UNITY_BUILD)
+    set_target_properties(wellspaced_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
   wellspaced_private_options(wellspaced_${name})
   target_include_directories(wellspaced_${name} PUBLIC
     $<BUILD_INTERFACE:${WELLSPACED_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
