@@ -5,17 +5,13 @@
 
 #include "wellspaced/kernel/index_set.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced {
 namespace {
 
 constexpr Index kGhost = Triangulation3::kGhost;
 using Facet = Triangulation3::Facet;
-
-void sort_unique(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 }  // namespace
 

@@ -18,4 +18,14 @@ double scaled_distance(Point2 a, Point2 b) {
   return distance_at_scale(difference, {0, 0}, 0x1p600);
 }
 
+double distance_to_segment(Point2 p, Point2 a, Point2 b) {
+  const double length = distance(a, b);
+  if (length == 0) return distance(p, a);
+  const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
+  const double along = (p.x - a.x) * ux + (p.y - a.y) * uy;
+  if (along <= 0) return distance(p, a);
+  if (along >= length) return distance(p, b);
+  return std::fabs((p.x - a.x) * uy - (p.y - a.y) * ux);
+}
+
 }  // namespace wellspaced

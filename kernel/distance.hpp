@@ -1,4 +1,4 @@
-// The Euclidean distance of two points.
+// Euclidean distances in the plane.
 #pragma once
 
 #include <cmath>
@@ -18,5 +18,8 @@ inline double distance(Point2 a, Point2 b) {
   const double square = dx * dx + dy * dy;
   return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : scaled_distance(a, b);
 }
+
+/// The distance of p from the segment ab, which may be a single point.
+double distance_to_segment(Point2 p, Point2 a, Point2 b);
 
 }  // namespace wellspaced

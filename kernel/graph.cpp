@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wellspaced/kernel/distance.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced {
 namespace {
@@ -23,8 +24,7 @@ std::vector<std::array<Index, 2>> loose_arcs(const CornerTable& table,
     arcs.push_back({s.a, s.b});
     arcs.push_back({s.b, s.a});
   }
-  std::sort(arcs.begin(), arcs.end());
-  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+  sort_unique(arcs);
   return arcs;
 }
 

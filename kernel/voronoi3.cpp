@@ -9,6 +9,7 @@
 
 #include "wellspaced/kernel/delaunay3_queries.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 #include "wellspaced/kernel/vector3.hpp"
 
 namespace wellspaced {
@@ -80,8 +81,7 @@ std::map<Index, std::vector<Index>> facets_around(const Delaunay3& delaunay, Ind
       if (u != v && u != Triangulation3::kGhost) facets[u].push_back(*corners.find(t));
   for (auto it = facets.begin(); it != facets.end();) {
     auto& list = it->second;
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    sort_unique(list);
     it = list.size() < 3 ? facets.erase(it) : std::next(it);
   }
   return facets;

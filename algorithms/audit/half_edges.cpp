@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "wellspaced/kernel/sort_unique.hpp"
+
 namespace wellspaced::audit {
 namespace {
 
@@ -76,8 +78,7 @@ class Pairing {
     auto& duplicates = result_.duplicate_triangles;
     std::sort(result_.duplicate_segments.begin(), result_.duplicate_segments.end());
     std::sort(result_.conflicting_segments.begin(), result_.conflicting_segments.end());
-    std::sort(duplicates.begin(), duplicates.end());
-    duplicates.erase(std::unique(duplicates.begin(), duplicates.end()), duplicates.end());
+    sort_unique(duplicates);
     return std::move(result_);
   }
 

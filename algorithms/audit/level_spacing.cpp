@@ -5,6 +5,7 @@
 
 #include "wellspaced/algorithms/audit/stars.hpp"
 #include "wellspaced/kernel/distance.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -120,8 +121,7 @@ std::vector<std::array<Index, 2>> euclidean_spacing_violations(const TriangleMes
       if (conflict(spacing[a] + spacing[b], beta, distance(mesh.points[a], mesh.points[b]), 1))
         edges.push_back({std::min(a, b), std::max(a, b)});
     }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 

@@ -11,6 +11,7 @@
 #include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -257,8 +258,7 @@ class FacetCover {
       if (std::all_of(nodes.begin(), nodes.end(), [&](Index v) { return is_near_plane(v); }))
         found.push_back(number(f));
     });
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_unique(found);
     return found;
   }
 

@@ -8,6 +8,7 @@
 #include "wellspaced/algorithms/audit/contact.hpp"
 #include "wellspaced/algorithms/audit/solid_winding.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -94,8 +95,7 @@ std::vector<std::array<Index, 2>> pairs_of_tets(const Chain& chain,
     const auto [t, u] = std::minmax(chain.tets[f], chain.tets[g]);
     pairs.push_back({t, u});
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_unique(pairs);
   return pairs;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "wellspaced/kernel/sort_unique.hpp"
+
 namespace wellspaced::audit {
 namespace {
 
@@ -89,8 +91,7 @@ class FacePairing {
   TetFaces take_result() {
     for (auto* list :
          {&result_.duplicate_tets, &result_.duplicate_facets, &result_.conflicting_facets}) {
-      std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
+      sort_unique(*list);
     }
     return std::move(result_);
   }

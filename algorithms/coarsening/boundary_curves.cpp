@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "wellspaced/kernel/sort_unique.hpp"
+
 namespace wellspaced {
 namespace {
 
@@ -175,8 +177,7 @@ std::vector<Index> find_anchors(std::span<const BoundaryCurve> curves,
     for (std::size_t i = 0; i < curve.nodes.size(); ++i)
       if (is_slit_tip(curve, i, points)) anchors.push_back(curve.nodes[i]);
   }
-  std::sort(anchors.begin(), anchors.end());
-  anchors.erase(std::unique(anchors.begin(), anchors.end()), anchors.end());
+  sort_unique(anchors);
   return anchors;
 }
 

@@ -11,6 +11,7 @@
 #include "wellspaced/algorithms/coarsening/special_points.hpp"
 #include "wellspaced/algorithms/spacing/graph_spacing.hpp"
 #include "wellspaced/kernel/check_points.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced {
 namespace {
@@ -61,11 +62,6 @@ Status check_options(const CoarseningOptions& options, std::size_t nodes) {
 }
 
 // ---- Level 0
-
-void sort_unique(std::vector<Index>& nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-}
 
 // The boundary edges that no segment names, after those that are.
 void complete_segments(TriangleMesh& mesh, const Boundary& boundary) {

@@ -70,16 +70,6 @@ FarPair farthest_pair(std::span<const Point2> points) {
   return best;
 }
 
-double distance_to_segment(Point2 p, Point2 a, Point2 b) {
-  const double length = distance(a, b);
-  if (length == 0) return distance(p, a);
-  const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
-  const double along = (p.x - a.x) * ux + (p.y - a.y) * uy;
-  if (along <= 0) return distance(p, a);
-  if (along >= length) return distance(p, b);
-  return std::fabs((p.x - a.x) * uy - (p.y - a.y) * ux);
-}
-
 double distance_to_triangle(Point2 p, Point2 a, Point2 b, Point2 c) {
   const int ab = orient2d(a, b, p), bc = orient2d(b, c, p), ca = orient2d(c, a, p);
   const bool inside = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);

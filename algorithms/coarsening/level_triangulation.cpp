@@ -8,8 +8,6 @@ namespace wellspaced {
 namespace {
 
 using Edge = Triangulation2::Edge;
-using Kind = ConstrainedEdge::Kind;
-
 std::size_t slot(Edge e) { return std::size_t{3} * e.triangle + e.i; }
 
 // What the domain edges say about the two sides of every edge of the triangulation.
@@ -80,7 +78,7 @@ void name_corners(const Delaunay2& delaunay, const DomainSides& sides,
                   std::vector<std::array<Index, 3>>& names) {
   const Triangulation2& topology = delaunay.topology();
   for (const ConstrainedEdge& piece : pieces) {
-    if (piece.kind != Kind::kDomain) continue;
+    if (piece.kind != ConstrainedEdge::Kind::kDomain) continue;
     Edge e = left_edge(delaunay, piece);
     do {
       names[e.triangle][Triangulation2::next(e.i)] = piece.a;
@@ -117,7 +115,8 @@ Result<DomainTriangulation> triangulate_domain(std::span<const Point2> points,
   const Triangulation2& topology = delaunay->topology();
   DomainSides sides(topology);
   for (const ConstrainedEdge& piece : *pieces)
-    if (piece.kind == Kind::kDomain) sides.add(topology, left_edge(*delaunay, piece));
+    if (piece.kind == ConstrainedEdge::Kind::kDomain)
+      sides.add(topology, left_edge(*delaunay, piece));
   auto corners = all_corners(topology);
   if (delaunay->duplicate_count() > 0) name_corners(*delaunay, sides, *pieces, corners);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 
 namespace wellspaced {
@@ -12,19 +13,8 @@ namespace {
 constexpr int kOuterMarker = 1;
 constexpr double kOuterRadius = 8;
 
-double distance(Point2 p, Point2 q) {
-  const double x = p.x - q.x, y = p.y - q.y;
-  return std::sqrt(x * x + y * y);
-}
-
 Point2 between(Point2 a, Point2 b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-}
-
-double distance_to_segment(Point2 p, Point2 a, Point2 b) {
-  const Point2 d{b.x - a.x, b.y - a.y};
-  const double t = ((p.x - a.x) * d.x + (p.y - a.y) * d.y) / (d.x * d.x + d.y * d.y);
-  return distance(p, between(a, b, std::clamp(t, 0.0, 1.0)));
 }
 
 // What must be added to the distance from a feature so that it grows by 2^octaves up to `reach`.

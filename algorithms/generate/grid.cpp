@@ -7,7 +7,7 @@
 namespace wellspaced {
 namespace {
 
-constexpr std::uint64_t kMaxNodes = std::uint64_t{1} << 29;
+constexpr std::uint64_t kMaxGridNodes = std::uint64_t{1} << 29;
 
 Status check(const GridOptions& options) {
   if (options.nx < 2 || options.ny < 2)
@@ -16,7 +16,7 @@ Status check(const GridOptions& options) {
     return Error{ErrorCode::kUsage, "the aspect of a grid must be positive, its height finite", {}};
   if (!(options.mixed >= 0 && options.mixed <= 1))
     return Error{ErrorCode::kUsage, "the share of mixed diagonals must lie in [0, 1]", {}};
-  if (std::uint64_t{options.nx} * options.ny > kMaxNodes)
+  if (std::uint64_t{options.nx} * options.ny > kMaxGridNodes)
     return Error{ErrorCode::kLimit, "a grid may have at most 2^29 nodes", {}};
   return Ok{};
 }

@@ -2,19 +2,12 @@
 
 #include <utility>
 
+#include "wellspaced/algorithms/generate/make_points.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
 namespace {
-
-template <class MakePoint>
-std::vector<Point2> repeat(std::size_t count, MakePoint make_point) {
-  std::vector<Point2> points;
-  points.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) points.push_back(make_point(i));
-  return points;
-}
 
 // Braces fix the order of the two draws; a function's arguments would leave it to the compiler.
 Point2 point_in_unit_square(Random& random) { return Point2{random.uniform(), random.uniform()}; }
@@ -37,14 +30,15 @@ Point2 point_in_disc(double radius, Random& random) {
 
 std::vector<Point2> random_points(std::size_t count, std::uint64_t seed) {
   Random random(seed);
-  return repeat(count, [&](std::size_t) { return point_in_unit_square(random); });
+  return make_points(count, [&](std::size_t) { return point_in_unit_square(random); });
 }
 
 std::vector<Point2> clustered_points(std::size_t count, std::size_t clusters, std::uint64_t seed) {
   constexpr double kDeviation = 0.01;
   Random random(seed);
-  const auto centres = repeat(clusters, [&](std::size_t) { return point_in_unit_square(random); });
-  return repeat(count, [&](std::size_t) {
+  const auto centres =
+      make_points(clusters, [&](std::size_t) { return point_in_unit_square(random); });
+  return make_points(count, [&](std::size_t) {
     const Point2 centre = centres[random.below(clusters)];
     const Point2 offset{normal_deviate(random), normal_deviate(random)};
     return Point2{centre.x + kDeviation * offset.x, centre.y + kDeviation * offset.y};
@@ -54,7 +48,7 @@ std::vector<Point2> clustered_points(std::size_t count, std::size_t clusters, st
 std::vector<Point2> circle_points(std::size_t on_circle, std::size_t inside, std::uint64_t seed) {
   constexpr double kInnerRadius = 0.999;
   Random random(seed);
-  return repeat(on_circle + inside, [&](std::size_t i) {
+  return make_points(on_circle + inside, [&](std::size_t i) {
     return i < on_circle ? circle_point(random.uniform()) : point_in_disc(kInnerRadius, random);
   });
 }
@@ -62,7 +56,7 @@ std::vector<Point2> circle_points(std::size_t on_circle, std::size_t inside, std
 std::vector<Point2> spiral_points(std::size_t count, double octaves) {
   constexpr double kGoldenTurn = 0.38196601125010515;
   const double step = count > 1 ? octaves / static_cast<double>(count - 1) : 0;
-  return repeat(count, [&](std::size_t i) {
+  return make_points(count, [&](std::size_t i) {
     const double radius = power_of_two(step * static_cast<double>(i));
     const Point2 direction = circle_point(kGoldenTurn * static_cast<double>(i));
     return Point2{radius * direction.x, radius * direction.y};
@@ -70,20 +64,20 @@ std::vector<Point2> spiral_points(std::size_t count, double octaves) {
 }
 
 std::vector<Point2> grid_points(std::size_t nx, std::size_t ny) {
-  return repeat(nx * ny, [&](std::size_t k) {
+  return make_points(nx * ny, [&](std::size_t k) {
     return Point2{static_cast<double>(k % nx), static_cast<double>(k / nx)};
   });
 }
 
 std::vector<Point2> parabola_points(std::size_t count) {
-  return repeat(count, [&](std::size_t k) {
+  return make_points(count, [&](std::size_t k) {
     const double i = static_cast<double>(k) - static_cast<double>(count / 2);
     return Point2{i, i * i};
   });
 }
 
 std::vector<Point2> collinear_points_and_one(std::size_t count) {
-  auto points = repeat(count, [](std::size_t k) {
+  auto points = make_points(count, [](std::size_t k) {
     const double i = static_cast<double>(k);
     return Point2{i, 3 * i};
   });
@@ -94,8 +88,8 @@ std::vector<Point2> collinear_points_and_one(std::size_t count) {
 std::vector<Point2> repeated_points(std::size_t count, std::size_t distinct, std::uint64_t seed) {
   Random random(seed);
   const auto originals =
-      repeat(distinct, [&](std::size_t) { return point_in_unit_square(random); });
-  return repeat(count, [&](std::size_t) { return originals[random.below(distinct)]; });
+      make_points(distinct, [&](std::size_t) { return point_in_unit_square(random); });
+  return make_points(count, [&](std::size_t) { return originals[random.below(distinct)]; });
 }
 
 void shuffle_points(std::vector<Point2>& points, std::uint64_t seed) {

@@ -3,32 +3,22 @@
 #include <cmath>
 #include <utility>
 
+#include "wellspaced/algorithms/generate/make_points.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
-namespace {
-
-template <class MakePoint>
-std::vector<Point3> repeat(std::size_t count, MakePoint make_point) {
-  std::vector<Point3> points;
-  points.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) points.push_back(make_point(i));
-  return points;
-}
-
-}  // namespace
 
 // Braces fix the order of the draws; a function's arguments would leave it to the compiler.
 std::vector<Point3> box_points3(std::size_t count, std::uint64_t seed) {
   Random random(seed);
-  return repeat(count, [&](std::size_t) {
+  return make_points(count, [&](std::size_t) {
     return Point3{random.uniform(), random.uniform(), random.uniform()};
   });
 }
 
 std::vector<Point3> lattice_points3(std::size_t nx, std::size_t ny, std::size_t nz) {
-  return repeat(nx * ny * nz, [=](std::size_t i) {
+  return make_points(nx * ny * nz, [=](std::size_t i) {
     return Point3{static_cast<double>(i / nz / ny), static_cast<double>(i / nz % ny),
                   static_cast<double>(i % nz)};
   });
@@ -37,7 +27,7 @@ std::vector<Point3> lattice_points3(std::size_t nx, std::size_t ny, std::size_t 
 // A cylinder around the sphere has its area, slice by slice (Archimedes).
 std::vector<Point3> sphere_points3(std::size_t count, std::uint64_t seed) {
   Random random(seed);
-  return repeat(count, [&](std::size_t) {
+  return make_points(count, [&](std::size_t) {
     const double z = random.uniform(-1, 1), r = std::sqrt(1 - z * z);
     const Point2 turn = circle_point(random.uniform());
     return Point3{r * turn.x, r * turn.y, z};
@@ -45,21 +35,21 @@ std::vector<Point3> sphere_points3(std::size_t count, std::uint64_t seed) {
 }
 
 std::vector<Point3> moment_points3(std::size_t count) {
-  return repeat(count, [=](std::size_t i) {
+  return make_points(count, [=](std::size_t i) {
     const double t = static_cast<double>(i) - static_cast<double>(count / 2);
     return Point3{t, t * t, t * t * t};
   });
 }
 
 std::vector<Point3> line_points3(std::size_t count) {
-  return repeat(2 * count, [=](std::size_t i) {
+  return make_points(2 * count, [=](std::size_t i) {
     return i < count ? Point3{static_cast<double>(i), 0, 0}
                      : Point3{0, static_cast<double>(i - count), 1};
   });
 }
 
 std::vector<Point3> helix_points3(std::size_t count, double per_turn, double rise) {
-  return repeat(count, [=](std::size_t i) {
+  return make_points(count, [=](std::size_t i) {
     const double turns = static_cast<double>(i) / per_turn;
     const Point2 at = circle_point(turns);
     return Point3{at.x, at.y, rise * turns};

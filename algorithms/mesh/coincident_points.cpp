@@ -5,13 +5,6 @@
 namespace wellspaced {
 namespace {
 
-bool before(const Point2& p, const Point2& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
-bool before(const Point3& p, const Point3& q) {
-  if (p.x != q.x) return p.x < q.x;
-  return p.y < q.y || (p.y == q.y && p.z < q.z);
-}
-
 template <class Point>
 struct NumberedPoint {
   Point point;
@@ -24,7 +17,7 @@ std::vector<Index> find_first(std::span<const Point> points) {
   sorted.reserve(points.size());
   for (const Point& p : points) sorted.push_back({p, static_cast<Index>(sorted.size())});
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-    return before(a.point, b.point) || (a.point == b.point && a.number < b.number);
+    return a.point < b.point || (a.point == b.point && a.number < b.number);
   });
   std::vector<Index> first(points.size());
   Index leader = 0;

@@ -7,6 +7,7 @@
 #include "wellspaced/algorithms/mesh/directed_edges.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/sha256.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced {
 namespace {
@@ -64,28 +65,15 @@ Sets join_ties(std::span<const Point2> points, std::span<const Triangle> triangl
   return sets;
 }
 
-void sort_unique(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
-bool before(const Point2& p, const Point2& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
-bool before(const Point3& p, const Point3& q) {
-  if (p.x != q.x) return p.x < q.x;
-  return p.y < q.y || (p.y == q.y && p.z < q.z);
-}
-
 // The number of each point among the distinct ones in lexicographic order.
 template <class Point>
 std::vector<Index> lexicographic_ranks(std::span<const Point> points) {
   std::vector<Index> order(points.size()), rank(points.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(),
-            [&](Index i, Index j) { return before(points[i], points[j]); });
+  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return points[i] < points[j]; });
   Index next = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i > 0 && before(points[order[i - 1]], points[order[i]])) ++next;
+    if (i > 0 && points[order[i - 1]] < points[order[i]]) ++next;
     rank[order[i]] = next;
   }
   return rank;

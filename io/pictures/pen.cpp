@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wellspaced/kernel/sort_unique.hpp"
+
 namespace wellspaced {
 namespace {
 
@@ -44,11 +46,9 @@ Strokes::Strokes(std::vector<GridLine> lines) {
   for (GridLine& line : lines)
     if (line.b < line.a) std::swap(line.a, line.b);
   std::erase_if(lines, [](const GridLine& line) { return line.a == line.b; });
-  std::sort(lines.begin(), lines.end());
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  sort_unique(lines);
   for (const GridLine& line : lines) places_.insert(places_.end(), {line.a, line.b});
-  std::sort(places_.begin(), places_.end());
-  places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+  sort_unique(places_);
 
   std::vector<std::pair<Index, Arc>> arcs;
   for (Index i = 0; i < lines.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include "wellspaced/io/pictures/pen.hpp"
 #include "wellspaced/io/text/markup.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced {
 namespace {
@@ -36,8 +37,7 @@ std::string segment_path(const TriangleMesh& mesh, const Canvas& canvas) {
 std::string point_path(const TriangleMesh& mesh, const Canvas& canvas) {
   std::vector<GridPoint> places;
   for (const Point2& p : mesh.points) places.push_back(canvas.place(p));
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  sort_unique(places);
   std::string data;
   for (const auto& [x, y] : places)
     data += 'M' + std::to_string(x) + ' ' + std::to_string(y) + "h0";
