@@ -6,10 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "wellspaced/algorithms/coarsening/level_step.hpp"
+#include "wellspaced/algorithms/coarsening/boundary_description.hpp"
+#include "wellspaced/algorithms/coarsening/schemes.hpp"
 #include "wellspaced/algorithms/coarsening/skeleton.hpp"
+#include "wellspaced/algorithms/coarsening/source_mesh.hpp"
 #include "wellspaced/algorithms/coarsening/special_points.hpp"
-#include "wellspaced/algorithms/spacing/graph_spacing.hpp"
+#include "wellspaced/algorithms/spacing/local_feature_size.hpp"
+#include "wellspaced/algorithms/spacing/spacing_function.hpp"
 #include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/sort_unique.hpp"
 
@@ -44,6 +47,20 @@ Status check_mesh(const TriangleMesh& mesh) {
 
 Error usage(std::string message) { return {ErrorCode::kUsage, std::move(message), {}}; }
 
+Status check_values(const std::string& name, const std::optional<std::vector<double>>& values,
+                    std::size_t nodes) {
+  if (!values) return Ok{};
+  if (values->size() != nodes)
+    return usage("there must be one " + name + " for each of the " + std::to_string(nodes) +
+                 " nodes, not " + std::to_string(values->size()));
+  for (Index v = 0; v < nodes; ++v)
+    if (!std::isfinite((*values)[v]))
+      return Error{ErrorCode::kUsage,
+                   "the " + name + " of node " + std::to_string(v) + " is not finite",
+                   {v}};
+  return Ok{};
+}
+
 Status check_options(const CoarseningOptions& options, std::size_t nodes) {
   if (!(options.beta > 1) || !std::isfinite(options.beta))
     return usage("beta must be a finite number greater than 1");
@@ -51,6 +68,16 @@ Status check_options(const CoarseningOptions& options, std::size_t nodes) {
     return usage("the coarsening factor must be a finite number greater than 1");
   if (options.protect && !(*options.protect >= 0 && std::isfinite(*options.protect)))
     return usage("the protection ratio must be a finite number, 0 or more");
+  if (options.method == CoarseningMethod::kMis && options.scheme != CoarseningScheme::kFineToCoarse)
+    return usage("MIS-based levels are selected from the level before: fine to coarse alone");
+  if (Status status = check_values("spacing", options.spacing, nodes); !status) return status;
+  if (Status status = check_values("priority", options.priority, nodes); !status) return status;
+  if (options.spacing)
+    for (Index v = 0; v < nodes; ++v)
+      if (!((*options.spacing)[v] > 0))
+        return Error{ErrorCode::kUsage,
+                     "the spacing of node " + std::to_string(v) + " must be greater than 0",
+                     {v}};
   if (!options.fixed) return Ok{};
   for (const Index v : *options.fixed)
     if (v >= nodes)
@@ -85,11 +112,20 @@ std::vector<Index> special_points(const TriangleMesh& mesh, const Skeleton& skel
   return special;
 }
 
-Level finest_level(TriangleMesh mesh, const Skeleton& skeleton, const CoarseningOptions& options) {
-  mesh.fixed = special_points(mesh, skeleton, options);
-  complete_segments(mesh, skeleton.boundary);
+// The local feature size of B at every node, and B's vertices among the special points.
+Result<std::vector<double>> keep_boundary(TriangleMesh& mesh, const CoarseningOptions& options) {
+  const BoundaryDescription b = boundary_description(mesh);
+  mesh.fixed.insert(mesh.fixed.end(), b.vertices.begin(), b.vertices.end());
+  sort_unique(mesh.fixed);
+  const auto lfs = LocalFeatureSize::build(b.graph);
+  if (!lfs) return lfs.error();
+  const bool plain = options.metric == SpacingMetric::kEuclidean;
+  return sampled([&](Point2 p) { return plain ? lfs->at(p) : lfs->geodesic_at(p); }, mesh.points);
+}
+
+Level finest_level(TriangleMesh mesh, const Graph& graph, const CoarseningOptions& options) {
   Level level;
-  level.spacing = mesh_spacing(skeleton.graph);
+  level.spacing = input_spacing(mesh, graph, options);
   level.origin.resize(mesh.points.size());
   std::iota(level.origin.begin(), level.origin.end(), Index{0});
   level.mesh = std::move(mesh);
@@ -99,7 +135,18 @@ Level finest_level(TriangleMesh mesh, const Skeleton& skeleton, const Coarsening
 }  // namespace
 
 double protection_ratio(const CoarseningOptions& options) {
-  return options.protect.value_or(options.method == CoarseningMethod::kFunction ? 0.2 : 0.15);
+  return options.protect.value_or(options.method == CoarseningMethod::kMis ? 0.15 : 0.2);
+}
+
+CoarseningOptions theorem_options(CoarseningMethod method) {
+  CoarseningOptions options;
+  options.method = method;
+  const bool uniform = method == CoarseningMethod::kQuasiUniform;
+  if (!uniform && method != CoarseningMethod::kThreshold) return options;
+  options.metric = SpacingMetric::kEuclidean;
+  options.beta = uniform ? 2 : 16;
+  options.factor = uniform ? 3 : 24;
+  return options;
 }
 
 Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
@@ -107,31 +154,17 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   if (const Status status = check_options(options, mesh.points.size()); !status)
     return status.error();
 
-  const std::size_t input_nodes = mesh.points.size();
   Skeleton skeleton = skeleton_of(mesh);
-  Hierarchy hierarchy;
-  hierarchy.levels.push_back(finest_level(std::move(mesh), skeleton, options));
-  while (hierarchy.levels.size() <= options.max_levels) {
-    Level& finer = hierarchy.levels.back();
-    const std::size_t nodes = finer.mesh.points.size();
-    if (nodes <= options.until_nodes) break;
-    const auto tell = [&](std::string_view phase) {
-      return report(options.progress, phase, input_nodes - nodes, input_nodes);
-    };
-    if (!tell("spacing")) {
-      hierarchy.complete = false;
-      break;
-    }
-    if (hierarchy.levels.size() > 1) skeleton = skeleton_of(finer.mesh);
-    auto step = coarsen_level(finer, skeleton, hierarchy.levels.size(), options, tell);
-    hierarchy.complete = step.ok() || step.error().code != ErrorCode::kCancelled;
-    if (!hierarchy.complete) break;
-    if (!step) return step.error();
-    if (step->level.mesh.points.size() == nodes) break;
-    finer.work = step->work;
-    hierarchy.levels.push_back(std::move(step->level));
+  mesh.fixed = special_points(mesh, skeleton, options);
+  complete_segments(mesh, skeleton.boundary);
+  std::vector<double> limit;
+  if (options.limit_by_boundary) {
+    auto lfs = keep_boundary(mesh, options);
+    if (!lfs) return lfs.error();
+    limit = std::move(*lfs);
   }
-  return hierarchy;
+  Level finest = finest_level(std::move(mesh), skeleton.graph, options);
+  return build_levels(std::move(finest), std::move(skeleton), limit, options);
 }
 
 }  // namespace wellspaced

@@ -13,19 +13,57 @@
 
 namespace wellspaced {
 
-/// How the nodes of a level are chosen: spaced by a coarsening function (chapter 7), or as a
-/// maximal independent set of the mesh's edges (section 5.2.1).
-enum class CoarseningMethod { kFunction, kMis };
+/// How the nodes of a level are chosen: spaced by a function, or as a maximal independent set of
+/// the mesh's edges.
+enum class CoarseningMethod {
+  kFunction,     ///< by the coarsening function f_{g,C,P} (chapters 5 and 7)
+  kMis,          ///< section 5.2.1; fine to coarse alone
+  kThreshold,    ///< by the threshold function t_{g,C,P} (section 6.3)
+  kQuasiUniform  ///< by one spacing for all nodes, C times the least of g (section 6.2)
+};
+
+/// What each level is selected from (section 5.3.4).
+enum class CoarseningScheme {
+  kFineToCoarse,  ///< the level before, with its function: node-nested (Figure 5.7)
+  kFromFinest,    ///< the input, by factors C^i: no repeated degradation, not nested (Figure 5.8)
+  kCoarseToFine   ///< the input, the coarsest level first, its nodes forced into the next: both
+                  ///< (Figure 5.9)
+};
+
+/// The distances in the coarsening function and in conflicts.
+enum class SpacingMetric {
+  kGraph,      ///< along the edges of the mesh selected from (chapter 7)
+  kEuclidean,  ///< chapter 5: conflicts between nodes that see each other (Definition 5.3.4)
+  kGeodesic    ///< the same, but the function's cones go around holes and slits
+};
+
+/// In which order the nodes of a level are considered, boundary nodes before interior ones.
+enum class SelectionOrder {
+  kRandom,   ///< by the seed (CHOICES 13)
+  kPriority  ///< the greatest priority first; of equal ones the lower node
+};
 
 struct CoarseningOptions {
   CoarseningMethod method = CoarseningMethod::kFunction;
+  CoarseningScheme scheme = CoarseningScheme::kFineToCoarse;
+  SpacingMetric metric = SpacingMetric::kGraph;
   double beta = 25;   ///< spacing constant, > 1: angles get better as it grows, levels more
   double factor = 8;  ///< C, > 1: how much the spacing grows from level to level; the first level's
                       ///< factor is C beta (section 8.3, CHOICES 3)
-  /// R, >= 0: interior nodes keep a distance of R |e| from boundary edges e. Default: 0.2 for
-  /// kFunction, 0.15 for kMis.
+  /// R, >= 0: interior nodes keep a distance of R |e| from boundary edges e: in the graph metric
+  /// within their diametral circles (section 7.4.1), in the others within the gamma protective
+  /// zone, a rectangle (Definition 5.3.5, gamma = R). Default: 0.15 for kMis, otherwise 0.2.
   std::optional<double> protect = std::nullopt;
-  std::uint64_t seed = 1;  ///< of the random order of nodes (CHOICES 13)
+  /// Whether coarsened spacings stay below the local feature size of the boundary description,
+  /// whose vertices then are special points: no level simplifies the boundary (section 5.5).
+  bool limit_by_boundary = false;
+  /// The spacing g of the input, one value > 0 a node; default: see input_spacing().
+  std::optional<std::vector<double>> spacing = std::nullopt;
+  SelectionOrder order = SelectionOrder::kRandom;
+  std::uint64_t seed = 1;  ///< of the random order
+  /// For kPriority: one value a node of the input, no NaN; default: the level's spacing, so that
+  /// nodes with large balls come first.
+  std::optional<std::vector<double>> priority = std::nullopt;
   /// The special points F; default: automatic_special_points. Ends of inner curves, tips of slits
   /// and nodes in no edge are added, for the boundary hangs on them.
   std::optional<std::vector<Index>> fixed = std::nullopt;
@@ -40,10 +78,16 @@ struct CoarseningOptions {
 /// R: the one that options give, or else the method's default.
 double protection_ratio(const CoarseningOptions& options);
 
-/// The coarsening sequence of a mesh, fine to coarse. Each level is a node-nested constrained
-/// Delaunay triangulation of nodes of the level before: special points, then boundary nodes, then
-/// interior nodes, each a maximal set without conflicts in random order. The sequence ends before
-/// the first level that would drop no node.
+/// The options of section 6: its theorems' constants, fine to coarse, Euclidean. kThreshold: C 24
+/// and beta 16, which Theorem 6.3.3 (corrected) asks for where the input's gaps are bounded by
+/// L = 2; otherwise beta must be at least max(8 L, 13 + 6 / L). kQuasiUniform: C 3, beta 2.
+/// For the other methods the defaults above.
+CoarseningOptions theorem_options(CoarseningMethod method);
+
+/// The coarsening sequence of a mesh, finest level first. Each level is the constrained Delaunay
+/// triangulation of nodes selected from the level before or from the input, by the scheme: special
+/// points, then boundary nodes, then interior nodes, each a maximal set without conflicts in random
+/// order. The sequence ends before the first level that would drop no node.
 /// mesh: see TriangleMesh; boundary edges that are missing from its segments are added with marker
 ///   1. Holes, several components, inner segments, slits, dangling segments and isolated points
 ///   are all kept.
@@ -52,9 +96,11 @@ double protection_ratio(const CoarseningOptions& options);
 ///   kInvalidGeometry for an index out of range, a coordinate that is not finite, or a boundary
 ///   that crosses itself; kLimit for meshes beyond 2^28 nodes.
 /// Cancelled: the levels that are finished are returned, with complete = false.
-/// Cost: O(n log n) for bounded factor and degrees.
+/// Cost: O(n log n) for bounded factor and degrees, fine to coarse; with the other schemes every
+///   level costs about as much as the first.
 /// Audit: every level by `audit`: embedding, conformity, constrained Delaunay, node-nestedness.
-/// See: Figures 5.2, 7.2, 7.3 and 7.10, chapter 8; CHOICES.md settles order, ties and sums.
+/// See: Figures 5.2, 5.6 to 5.9, 7.2, 7.3 and 7.10, chapters 6 and 8; CHOICES.md settles order,
+/// ties and sums.
 Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options);
 
 }  // namespace wellspaced

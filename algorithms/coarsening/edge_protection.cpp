@@ -14,10 +14,19 @@ struct MeasuredEdge {
   Point2 a, b;
   double length = 0;
 
+  // Whether a point that is near enough to the line is in the zone of that shape.
+  bool has_abreast(Point2 p, ProtectiveZone::Shape shape) const {
+    return shape == ProtectiveZone::Shape::kLens ? has_in_diametral_circle(p)
+                                                 : has_between_perpendiculars(p);
+  }
   bool has_in_diametral_circle(Point2 p) const {
     const double ax = (a.x - p.x) / length, ay = (a.y - p.y) / length;
     const double bx = (b.x - p.x) / length, by = (b.y - p.y) / length;
     return ax * bx + ay * by < 0;
+  }
+  bool has_between_perpendiculars(Point2 p) const {
+    const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
+    return ux * (p.x - a.x) + uy * (p.y - a.y) > 0 && ux * (p.x - b.x) + uy * (p.y - b.y) < 0;
   }
   double distance_of_line_from(Point2 p) const {
     const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
@@ -29,14 +38,14 @@ struct MeasuredEdge {
 
 void protect_edges(LocalSearch& search, std::span<const Point2> points,
                    std::span<const ContractedEdge> edges, std::span<const std::uint8_t> on_boundary,
-                   double ratio, NodeSelection& selection) {
+                   const ProtectiveZone& zone, NodeSelection& selection) {
   for (const ContractedEdge& edge : edges) {
     const Point2 a = points[edge.a], b = points[edge.b];
     const MeasuredEdge measured{a, b, distance(a, b)};
     for (const Index v : search.run(std::array{edge.a, edge.b},
                                     [&](Index, double d) { return d <= measured.length; })) {
-      const bool close = measured.has_in_diametral_circle(points[v]) &&
-                         measured.distance_of_line_from(points[v]) < ratio * measured.length;
+      const bool close = measured.has_abreast(points[v], zone.shape) &&
+                         measured.distance_of_line_from(points[v]) < zone.ratio * measured.length;
       if (close && !on_boundary[v]) selection.invalidate(v);
     }
   }

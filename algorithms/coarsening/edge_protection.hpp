@@ -13,16 +13,27 @@
 
 namespace wellspaced {
 
-/// Makes invalid the free interior nodes that lie in the diametral circle of an edge and nearer to
-/// its line than ratio * |edge|. They are sought by a graph search from both ends, up to graph
-/// distance |edge|: a straight line to the nearer end is at most sqrt(1/4 + ratio^2) |edge| long,
-/// and a path through the mesh not much longer.
-/// search: in the mesh's graph. on_boundary: one flag a node; boundary nodes are exempt. ratio: R,
-/// >= 0. Cost: linear in the nodes within reach of the edges.
+/// What is too near to an edge: the points between the perpendiculars at its ends and nearer to its
+/// line than ratio * |edge|, ratio >= 0.
+///
+/// kRectangle: all of them (Definition 5.3.5, gamma = ratio).
+/// kLens: those inside the edge's diametral circle (Figure 7.8, R = ratio).
+struct ProtectiveZone {
+  enum class Shape { kLens, kRectangle };
+  Shape shape = Shape::kLens;
+  double ratio = 0.2;
+};
+
+/// Makes invalid the free interior nodes that lie in the protective zone of an edge. They are
+/// sought by a graph search from both ends, up to graph distance |edge|, so that a zone ends where
+/// the boundary cuts it off: a straight line to the nearer end is at most sqrt(1/4 + ratio^2)
+/// |edge| long, and a path through the mesh not much longer.
+/// search: in the mesh's graph. on_boundary: one flag a node; boundary nodes are exempt.
+/// Cost: linear in the nodes within reach of the edges.
 /// See: section 7.4.1, Figures 7.8 and 7.10 step 4; CHOICES 9 and 17.
 void protect_edges(LocalSearch& search, std::span<const Point2> points,
                    std::span<const ContractedEdge> edges, std::span<const std::uint8_t> on_boundary,
-                   double ratio, NodeSelection& selection);
+                   const ProtectiveZone& zone, NodeSelection& selection);
 
 /// Counts the nodes that a search from each edge inspects: a search from both ends through the
 /// circle about the protective zone (its centre is the middle of the edge, its radius

@@ -34,16 +34,19 @@ struct CoarseningWork {
 /// A mesh of the sequence.
 ///
 /// mesh: its segments are all its boundary edges and inner segments; its fixed points are F.
-/// spacing: one value a node. kFunction: the level's coarsening function; kMis, and at level 0:
-///   half the shortest edge at the node.
-/// parent: for each node its number in the next finer level; empty at level 0.
-/// origin: for each node its number in the input mesh.
-/// Both ascend: a level's nodes keep the input's order.
+/// spacing: one value a node: the function that spaces the level; kMis: half the shortest edge at
+///   the node; at level 0: see input_spacing().
+/// parent: for each node its number in the next finer level, kNoIndex where the levels are not
+///   nested (kFromFinest) and it is not there; empty at level 0.
+/// origin: for each node its number in the input mesh. It ascends: a level's nodes keep the
+///   input's order.
+/// step: the how-manieth step of the run built it, from 1 on; 0 at level 0.
 struct Level {
   TriangleMesh mesh;
   std::vector<double> spacing;
   std::vector<Index> parent;
   std::vector<Index> origin;
+  std::size_t step = 0;
   std::size_t reinstated = 0;       ///< boundary nodes taken back to keep the boundary intact
   std::size_t dropped_outside = 0;  ///< nodes of the finer level that the new boundary left outside
   std::optional<CoarseningWork> work;  ///< of the step to the next level; none from the last one

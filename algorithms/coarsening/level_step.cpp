@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/coarsening/level_triangulation.hpp"
 #include "wellspaced/algorithms/coarsening/node_order.hpp"
 #include "wellspaced/algorithms/coarsening/node_selection.hpp"
+#include "wellspaced/algorithms/coarsening/visible_conflicts.hpp"
 #include "wellspaced/algorithms/spacing/graph_spacing.hpp"
 #include "wellspaced/kernel/local_search.hpp"
 #include "wellspaced/kernel/shortest_paths.hpp"
@@ -21,13 +22,14 @@ using Tell = std::function<bool(std::string_view)>;
 
 Error cancelled() { return {ErrorCode::kCancelled, "coarsening was cancelled", {}}; }
 
-bool is_function_based(const CoarseningOptions& options) {
-  return options.method == CoarseningMethod::kFunction;
+bool is_mis_based(const CoarseningOptions& options) {
+  return options.method == CoarseningMethod::kMis;
 }
 
-// Section 8.3: the first level's factor makes up for the division of the spacing by beta.
-double level_factor(const CoarseningOptions& options, std::size_t level) {
-  return level == 1 ? options.factor * options.beta : options.factor;
+// Whether shortest paths of the graph gave the nodes their spacing, and their conflicts.
+bool counts_paths(const CoarseningOptions& options) {
+  return options.count_work && options.method == CoarseningMethod::kFunction &&
+         options.metric == SpacingMetric::kGraph;
 }
 
 void measure_paths(const Graph& graph, std::vector<double> start, double factor,
@@ -42,22 +44,29 @@ void measure_paths(const Graph& graph, std::vector<double> start, double factor,
   if (!tree.depth.empty()) work.path_depth_mean = sum / static_cast<double>(tree.depth.size());
 }
 
-ConflictRule conflict_rule(const Graph& graph, LocalSearch& search, std::span<const double> f,
+ConflictRule conflict_rule(const SourceMesh& source, LocalSearch& search, std::span<const double> f,
                            const CoarseningOptions& options) {
-  return is_function_based(options) ? function_conflicts(search, f, options.beta)
-                                    : neighbor_conflicts(graph);
+  const Graph& graph = source.skeleton.graph;
+  if (is_mis_based(options)) return neighbor_conflicts(graph);
+  return source.visibility ? visible_conflicts(*source.visibility, graph, f, options.beta)
+                           : function_conflicts(search, f, options.beta);
 }
 
 // Counts the nodes that a search of radius 2 f / beta inspects from every node considered.
 NodeSelection::Considered search_counter(LocalSearch& search, std::span<const double> f,
                                          const CoarseningOptions& options, SearchCount& count) {
-  if (!options.count_work || !is_function_based(options)) return {};
+  if (!counts_paths(options)) return {};
   return [&search, &count, f, beta = options.beta](Index node) {
     const double radius = 2 * f[node] / beta;
     const auto within = [=](Index, double d) { return d <= radius; };
     search.run(std::array{node}, within);
     count.add(search.include_frontier().size());
   };
+}
+
+ProtectiveZone zone_of(const CoarseningOptions& options) {
+  using Shape = ProtectiveZone::Shape;
+  return {uses_visibility(options) ? Shape::kRectangle : Shape::kLens, protection_ratio(options)};
 }
 
 std::vector<Index> interior_nodes(const Boundary& boundary) {
@@ -119,37 +128,43 @@ std::vector<double> restricted(std::span<const double> values, std::span<const I
   return result;
 }
 
+std::vector<std::uint64_t> order_keys(const Level& finer, std::span<const double> f,
+                                      std::size_t level, const CoarseningOptions& options) {
+  if (options.order == SelectionOrder::kRandom)
+    return random_keys(finer.origin, static_cast<std::uint32_t>(level), options.seed);
+  if (options.priority) return priority_keys(restricted(*options.priority, finer.origin));
+  return priority_keys(is_mis_based(options) ? finer.spacing : f);
+}
+
 }  // namespace
 
-Result<CoarseningStep> coarsen_level(const Level& finer, const Skeleton& skeleton,
-                                     std::size_t level, const CoarseningOptions& options,
-                                     const Tell& tell) {
+Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest& request,
+                                     const CoarseningOptions& options, const Tell& tell) {
+  if (!tell("spacing")) return cancelled();
+  const Level& finer = source.level;
   const std::span<const Point2> points = finer.mesh.points;
-  const Graph& graph = skeleton.graph;
-  const Boundary& boundary = skeleton.boundary;
+  const Graph& graph = source.skeleton.graph;
+  const Boundary& boundary = source.skeleton.boundary;
   CoarseningWork work;
   std::vector<double> f;
-  if (is_function_based(options)) {
-    f = coarsened_spacing(graph, finer.spacing, level_factor(options, level));
-    if (options.count_work)
-      measure_paths(graph, finer.spacing, level_factor(options, level), f, work);
-  }
+  if (!is_mis_based(options)) f = coarsened(source, request.factor, options);
+  if (counts_paths(options)) measure_paths(graph, finer.spacing, request.factor, f, work);
 
   if (!tell("boundary")) return cancelled();
-  const std::vector<std::uint64_t> keys =
-      random_keys(finer.origin, static_cast<std::uint32_t>(level), options.seed);
+  const std::vector<std::uint64_t> keys = order_keys(finer, f, request.level, options);
   LocalSearch search(graph);
-  NodeSelection selection(graph.nodes(), boundary.twins, conflict_rule(graph, search, f, options),
+  NodeSelection selection(graph.nodes(), boundary.twins, conflict_rule(source, search, f, options),
                           search_counter(search, f, options, work.selection));
   selection.force(finer.mesh.fixed);
+  selection.force(request.forced);
   if (!selection.select(boundary.nodes, keys, [&] { return tell("boundary"); })) return cancelled();
   const std::size_t chosen = selection.selected().size();
   const ContractedBoundary contracted = contract_and_repair(boundary, points, selection);
   const std::size_t reinstated = selection.selected().size() - chosen;
-  const double ratio = protection_ratio(options);
+  const ProtectiveZone zone = zone_of(options);
   if (options.count_work)
-    work.edge_protection = inspect_edges(search, points, contracted.edges(), ratio, selection);
-  protect_edges(search, points, contracted.edges(), boundary.on_boundary, ratio, selection);
+    work.edge_protection = inspect_edges(search, points, contracted.edges(), zone.ratio, selection);
+  protect_edges(search, points, contracted.edges(), boundary.on_boundary, zone, selection);
 
   if (!tell("select")) return cancelled();
   const std::vector<Index> interior = interior_nodes(boundary);
@@ -169,8 +184,8 @@ Result<CoarseningStep> coarsen_level(const Level& finer, const Skeleton& skeleto
   if (!triangulation) return triangulation.error();
   step.level.mesh.triangles = std::move(triangulation->triangles);
   step.level.mesh.segments = std::move(triangulation->segments);
-  step.level.spacing = is_function_based(options) ? restricted(f, step.level.parent)
-                                                  : mesh_spacing(mesh_graph(step.level.mesh));
+  step.level.spacing = is_mis_based(options) ? mesh_spacing(mesh_graph(step.level.mesh))
+                                             : restricted(f, step.level.parent);
   return step;
 }
 

@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/algorithms/coarsening/hierarchy.hpp"
-#include "wellspaced/algorithms/coarsening/skeleton.hpp"
+#include "wellspaced/algorithms/coarsening/source_mesh.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -18,14 +19,24 @@ struct CoarseningStep {
   std::optional<CoarseningWork> work;  ///< where the options ask for it
 };
 
-/// Builds the next coarser level out of a level: its boundary first, its nodes by the order and
-/// rules of CHOICES 17.
-/// finer: as `coarsen` makes them, or any valid level whose fixed points hold the anchors of its
-///   boundary. skeleton: that of its mesh. level: the number of the level to build, >= 1.
-/// tell: called with the name of each phase from "boundary" on; returns false to cancel.
+/// What to build.
+///
+/// level: the number that the random order is drawn for, >= 1. factor: of the coarsened spacing.
+/// forced: nodes of the source to select beside its fixed points (Lemma 5.3.6), ascending.
+struct StepRequest {
+  std::size_t level = 1;
+  double factor = 1;
+  std::span<const Index> forced;
+};
+
+/// ONE_LEVEL_COARSEN (Figure 5.6): builds a coarser level out of a mesh, its boundary first, its
+/// nodes by the order and rules of CHOICES 17.
+/// source: of a level as `coarsen` makes them, or any valid level whose fixed points hold the
+///   anchors of its boundary.
+/// tell: called with the name of each phase; returns false to cancel.
 /// Errors: kCancelled, and those of `coarsen`.
-Result<CoarseningStep> coarsen_level(const Level& finer, const Skeleton& skeleton,
-                                     std::size_t level, const CoarseningOptions& options,
+Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest& request,
+                                     const CoarseningOptions& options,
                                      const std::function<bool(std::string_view)>& tell);
 
 }  // namespace wellspaced

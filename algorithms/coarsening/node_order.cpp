@@ -1,5 +1,8 @@
 #include "wellspaced/algorithms/coarsening/node_order.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
@@ -11,6 +14,16 @@ std::vector<std::uint64_t> random_keys(std::span<const Index> origin, std::uint3
   std::vector<std::uint64_t> keys(origin.size());
   for (std::size_t v = 0; v < origin.size(); ++v)
     keys[v] = splitmix64(seed_bits ^ splitmix64(high + origin[v]));
+  return keys;
+}
+
+std::vector<std::uint64_t> priority_keys(std::span<const double> values) {
+  std::vector<Index> order(values.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return values[a] > values[b]; });
+  std::vector<std::uint64_t> keys(values.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank) keys[order[rank]] = rank;
   return keys;
 }
 

@@ -15,4 +15,8 @@ namespace wellspaced {
 std::vector<std::uint64_t> random_keys(std::span<const Index> origin, std::uint32_t level,
                                        std::uint64_t seed);
 
+/// Keys that put the greatest value first, the lower node of equal ones: the ranks.
+/// values: one a node, no NaN. Cost: O(n log n).
+std::vector<std::uint64_t> priority_keys(std::span<const double> values);
+
 }  // namespace wellspaced

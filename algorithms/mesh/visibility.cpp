@@ -1,6 +1,7 @@
 #include "wellspaced/algorithms/mesh/visibility.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
@@ -41,26 +42,31 @@ bool Visibility::sees(Point2 x, Index at, Index q) const {
   return arrives(line, leave_triangle(line, at));
 }
 
-// Every step moves on along the line, so none is taken twice; the bound is for invalid meshes.
+// Every step moves on along the line. At the tip of a slit that lies on it the line may follow
+// either lip: one is put off. The bound is for invalid meshes.
 bool Visibility::arrives(Line line, Place place) const {
-  std::size_t steps = mesh_.triangles.size() + mesh_.points.size() + 1;
+  std::vector<Index> put_off;
+  std::size_t steps = 2 * (mesh_.triangles.size() + mesh_.points.size() + 1);
   while (steps-- > 0) {
     if (place.node == line.to) return true;
-    if (place.node != kNoIndex) {
-      line.from = mesh_.points[place.node];
-      if (line.from == line.end) return false;  // at the twin of the end
-      place = leave_node(line, place.node);
-    } else if (place.triangle != kNoIndex) {
+    if (place.node == kNoIndex && place.triangle == kNoIndex) {
+      if (put_off.empty()) return false;
+      place = {put_off.back(), kNoIndex, 0};
+      put_off.pop_back();
+    } else if (place.node == kNoIndex) {
       place = cross_edge(line, place);
     } else {
-      return false;
+      line.from = mesh_.points[place.node];
+      place = line.from == line.end ? Place{} : leave_node(line, place.node, put_off);
     }
   }
   return false;
 }
 
 // From a node along an edge to the next one, or through the triangle whose wedge holds the line.
-Visibility::Place Visibility::leave_node(const Line& line, Index v) const {
+Visibility::Place Visibility::leave_node(const Line& line, Index v,
+                                         std::vector<Index>& put_off) const {
+  Index next = kNoIndex;
   for (const Index t : links_.around(v)) {
     const auto& corners = mesh_.triangles[t];
     const unsigned i = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
@@ -68,11 +74,14 @@ Visibility::Place Visibility::leave_node(const Line& line, Index v) const {
     if (a == line.to || b == line.to) return {line.to, kNoIndex, 0};
     const int side_a = orient2d(line.from, line.end, mesh_.points[a]);
     const int side_b = orient2d(line.from, line.end, mesh_.points[b]);
-    if (side_a == 0 && is_ahead(mesh_.points[a], line.from, line.end)) return {a, kNoIndex, 0};
-    if (side_b == 0 && is_ahead(mesh_.points[b], line.from, line.end)) return {b, kNoIndex, 0};
     if (side_a < 0 && side_b > 0) return {kNoIndex, t, i};
+    for (const auto& [node, side] : {std::pair{a, side_a}, std::pair{b, side_b}}) {
+      if (side != 0 || node == next || !is_ahead(mesh_.points[node], line.from, line.end)) continue;
+      if (next != kNoIndex) put_off.push_back(next);
+      next = node;
+    }
   }
-  return {};
+  return {next, kNoIndex, 0};
 }
 
 // From a point in a triangle, no corner of it.

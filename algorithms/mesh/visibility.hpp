@@ -49,7 +49,7 @@ class Visibility {
   };
 
   bool arrives(Line line, Place place) const;
-  Place leave_node(const Line& line, Index v) const;
+  Place leave_node(const Line& line, Index v, std::vector<Index>& put_off) const;
   Place leave_triangle(const Line& line, Index t) const;
   Place cross_edge(const Line& line, Place place) const;
 

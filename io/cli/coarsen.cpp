@@ -24,8 +24,10 @@ namespace {
 enum class Statistics { kNone, kBasic, kFull };
 
 struct Request {
-  CoarseningOptions options;  // of the method in hand
+  CoarseningOptions options;  // what all methods share
   std::vector<CoarseningMethod> methods;
+  std::optional<double> beta, factor;  // given ones; otherwise each method has its own
+  std::optional<SpacingMetric> metric;
   Statistics statistics = Statistics::kBasic;
 };
 
@@ -68,29 +70,48 @@ struct Run {
 
 // ---- The request
 
+constexpr std::array kMethods = {CoarseningMethod::kFunction, CoarseningMethod::kMis,
+                                 CoarseningMethod::kThreshold, CoarseningMethod::kQuasiUniform};
+
+// One method, or several separated by commas.
 std::vector<CoarseningMethod> read_methods(Arguments& arguments) {
   const std::string text = arguments.text("--method", "function");
-  if (text == "function") return {CoarseningMethod::kFunction};
-  if (text == "mis") return {CoarseningMethod::kMis};
-  if (text == "function,mis") return {CoarseningMethod::kFunction, CoarseningMethod::kMis};
-  if (text == "mis,function") return {CoarseningMethod::kMis, CoarseningMethod::kFunction};
-  arguments.refuse("--method", in_quotes(text) + " should be function, mis or function,mis");
-  return {};
+  std::vector<CoarseningMethod> methods;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string name = text.substr(begin, end - begin);
+    begin = end + 1;
+    const auto found = std::ranges::find(kMethods, name, [](auto m) { return name_of(m); });
+    if (found != kMethods.end() && std::ranges::count(methods, *found) == 0) {
+      methods.push_back(*found);
+      continue;
+    }
+    arguments.refuse("--method", in_quotes(text) +
+                                     " should be function, mis, threshold or quasi-uniform, or " +
+                                     "several of them, each once, separated by commas");
+    break;
+  }
+  return methods;
 }
 
 Request read_request(Arguments& arguments, std::uint64_t seed) {
   Request request;
   CoarseningOptions& options = request.options;
   arguments.choice("--profile", 0, {"thesis"});
-  arguments.choice("--scheme", 0, {"fine-to-coarse"});
-  arguments.choice("--metric", 0, {"graph"});
-  arguments.choice("--order", 0, {"random"});
+  options.scheme = static_cast<CoarseningScheme>(
+      arguments.choice("--scheme", 0, {"fine-to-coarse", "from-finest", "coarse-to-fine"}));
+  if (arguments.has("--metric"))
+    request.metric = static_cast<SpacingMetric>(
+        arguments.choice("--metric", 0, {"graph", "euclidean", "geodesic"}));
+  options.order =
+      static_cast<SelectionOrder>(arguments.choice("--order", 0, {"random", "priority"}));
+  options.limit_by_boundary = arguments.has("--boundary-lfs");
   request.methods = read_methods(arguments);
   request.statistics =
       static_cast<Statistics>(arguments.choice("--stats", 1, {"none", "basic", "full"}));
   options.count_work = request.statistics == Statistics::kFull;
-  options.beta = arguments.number("--beta", options.beta, more_than(1));
-  options.factor = arguments.number("--factor", options.factor, more_than(1));
+  if (arguments.has("--beta")) request.beta = arguments.number("--beta", 0, more_than(1));
+  if (arguments.has("--factor")) request.factor = arguments.number("--factor", 0, more_than(1));
   if (arguments.has("--protect")) options.protect = arguments.number("--protect", 0, at_least(0));
   options.max_levels = static_cast<std::size_t>(
       arguments.integer("--levels", std::int64_t{1} << 40, between(0, 0x1p40)));
@@ -119,6 +140,17 @@ Result<std::vector<Index>> read_fixed_points(const std::string& path, std::size_
   return fixed;
 }
 
+Result<std::vector<double>> read_spacing(const std::string& path, std::size_t nodes) {
+  const auto text = read_input(path);
+  if (!text) return text.error();
+  Scanner scanner(*text, display_name(path));
+  std::vector<double> values;
+  while (scanner.next_line() && values.size() < nodes)
+    values.push_back(scanner.number("a spacing"));
+  if (!scanner.ok()) return scanner.error();
+  return values;
+}
+
 // ---- The run
 
 LevelStatistics sizes_of(const TriangleMesh& mesh) {
@@ -138,11 +170,20 @@ std::vector<LevelStatistics> measure(const Hierarchy& hierarchy, Statistics deta
   return rows;
 }
 
+CoarseningOptions options_of(const Request& request, CoarseningMethod method) {
+  const CoarseningOptions usual = theorem_options(method);
+  CoarseningOptions options = request.options;
+  options.method = method;
+  options.beta = request.beta.value_or(usual.beta);
+  options.factor = request.factor.value_or(usual.factor);
+  options.metric = request.metric.value_or(usual.metric);
+  return options;
+}
+
 Result<Run> run_method(const TriangleMesh& mesh, const Request& request, CoarseningMethod method,
                        Session& session) {
   Run run;
-  run.options = request.options;
-  run.options.method = method;
+  run.options = options_of(request, method);
   reset_peak_resident();
   const std::uint64_t before = resident_bytes();
   run.clock = PhaseClock();
@@ -164,12 +205,18 @@ Result<Run> run_method(const TriangleMesh& mesh, const Request& request, Coarsen
 // ---- What is said about it
 
 std::string title(const Run& run) {
-  const bool mis = run.options.method == CoarseningMethod::kMis;
-  std::string text = mis ? "MIS-based: "
-                         : "function-based: beta " + shortest(run.options.beta) + ", C " +
-                               shortest(run.options.factor) + ", ";
-  return text + "R " + shortest(protection_ratio(run.options)) + ", seed " +
-         std::to_string(run.options.seed);
+  const CoarseningOptions& options = run.options;
+  const bool mis = options.method == CoarseningMethod::kMis;
+  std::string text = mis ? "MIS" : std::string(name_of(options.method));
+  if (mis || options.method == CoarseningMethod::kFunction) text += "-based";
+  if (options.scheme != CoarseningScheme::kFineToCoarse)
+    text.append(", ").append(name_of(options.scheme));
+  if (options.metric != SpacingMetric::kGraph)
+    text.append(", ").append(name_of(options.metric)).append(" metric");
+  text += ": ";
+  if (!mis) text += "beta " + shortest(options.beta) + ", C " + shortest(options.factor) + ", ";
+  return text + "R " + shortest(protection_ratio(options)) + ", seed " +
+         std::to_string(options.seed);
 }
 
 void write_optional(JsonWriter& json, std::string_view name, const std::optional<double>& value) {
@@ -238,7 +285,7 @@ void write_level(JsonWriter& json, const Run& run, std::size_t k) {
   write_optional(json, "edge_search", statistics.edge_search);
   json.field("node_nested", is_node_nested(run.hierarchy, k));
   json.field("reinstated", level.reinstated).field("dropped_outside", level.dropped_outside);
-  write_seconds(json, run.clock.level(k));
+  write_seconds(json, run.clock.level(level.step));
   json.end_object();
 }
 
@@ -266,17 +313,13 @@ Status write_summary(std::span<const Run> runs, Session& session) {
   return session.write_json(json);
 }
 
-std::string_view method_name(CoarseningMethod method) {
-  return method == CoarseningMethod::kMis ? "mis" : "function";
-}
-
 Status write_files(std::span<const Run> runs, Index index_base, Session& session) {
   if (session.options().output.empty()) return Ok{};
   HierarchyFormat format{.index_base = index_base};
   if (!session.options().format.empty()) format.format = session.options().format;
   for (const Run& run : runs) {
     std::string directory = session.options().output;
-    if (runs.size() > 1) directory.append("/").append(method_name(run.options.method));
+    if (runs.size() > 1) directory.append("/").append(name_of(run.options.method));
     const Status written =
         write_hierarchy(session.outputs(), directory, run.hierarchy, run.options, format);
     if (!written) return written;
@@ -291,8 +334,8 @@ void print_tables(std::span<const Run> runs, Session& session) {
 }
 
 ReportMethod report_method(const Run& run) {
-  ReportMethod method{std::string(method_name(run.options.method)), {}, {}};
-  if (run.options.method == CoarseningMethod::kFunction)
+  ReportMethod method{std::string(name_of(run.options.method)), {}, {}};
+  if (run.options.method != CoarseningMethod::kMis)
     method.parameters = {{"spacing constant β", shortest(run.options.beta)},
                          {"growth factor C", shortest(run.options.factor)}};
   method.parameters.emplace_back("edge protection R", shortest(protection_ratio(run.options)));
@@ -332,6 +375,11 @@ Result<int> run(Arguments& arguments, Session& session) {
     if (!fixed) return fixed.error();
     request.options.fixed = std::move(*fixed);
   }
+  if (const auto path = arguments.value("--spacing")) {
+    auto spacing = read_spacing(*path, geometry->mesh.points.size());
+    if (!spacing) return spacing.error();
+    request.options.spacing = std::move(*spacing);
+  }
 
   std::vector<Run> runs;
   for (const CoarseningMethod method : request.methods) {
@@ -355,13 +403,20 @@ Result<int> run(Arguments& arguments, Session& session) {
 
 constexpr std::array kOptions = {
     Option{"--profile", "thesis", "the recipe that what is not given is taken from"},
-    Option{"--method", "NAME", "function (default), mis, or function,mis: both side by side"},
-    Option{"--scheme", "NAME", "fine-to-coarse: each level out of the one before"},
-    Option{"--metric", "NAME", "graph: distances along the edges of the mesh"},
-    Option{"--beta", "X", "spacing constant, more than 1 (default 25)"},
-    Option{"--factor", "X", "growth of the spacing from level to level, more than 1 (default 8)"},
+    Option{"--method", "NAME,...",
+           "function (default), mis, threshold, quasi-uniform; several: side by side"},
+    Option{"--scheme", "NAME",
+           "fine-to-coarse: each level out of the one before (default); from-finest: out of the "
+           "input; coarse-to-fine: out of the input, nested"},
+    Option{"--metric", "NAME",
+           "distances: graph (along edges), euclidean, geodesic (inside the domain)"},
+    Option{"--beta", "X", "spacing constant, more than 1 (25; threshold: 16, quasi-uniform: 2)"},
+    Option{"--factor", "X", "growth of the spacing from level to level, more than 1 (8; 24; 3)"},
     Option{"--protect", "R", "distance that nodes keep from boundary edges (0.2; mis: 0.15)"},
-    Option{"--order", "NAME", "random: the order of nodes within a level, by --seed"},
+    Option{"--order", "NAME",
+           "of nodes within a level: random, by --seed; priority: largest spacing first"},
+    Option{"--boundary-lfs", "", "keep the boundary: spacing at most its local feature size"},
+    Option{"--spacing", "FILE", "the spacing of the input, one value a node; then it is coarsened"},
     Option{"--fixed", "FILE", "0-based numbers of the nodes to keep in all levels"},
     Option{"--levels", "K", "at most K levels beside the input"},
     Option{"--until", "NODES", "no further level once one has at most NODES nodes"},

@@ -57,10 +57,47 @@ std::string describe(const Hierarchy& hierarchy, const CoarseningOptions& option
 
 }  // namespace
 
+std::string_view name_of(CoarseningMethod method) {
+  switch (method) {
+    case CoarseningMethod::kFunction:
+      return "function";
+    case CoarseningMethod::kMis:
+      return "mis";
+    case CoarseningMethod::kThreshold:
+      return "threshold";
+    case CoarseningMethod::kQuasiUniform:
+      return "quasi-uniform";
+  }
+  return "";
+}
+
+std::string_view name_of(CoarseningScheme scheme) {
+  switch (scheme) {
+    case CoarseningScheme::kFineToCoarse:
+      return "fine-to-coarse";
+    case CoarseningScheme::kFromFinest:
+      return "from-finest";
+    case CoarseningScheme::kCoarseToFine:
+      return "coarse-to-fine";
+  }
+  return "";
+}
+
+std::string_view name_of(SpacingMetric metric) {
+  switch (metric) {
+    case SpacingMetric::kGraph:
+      return "graph";
+    case SpacingMetric::kEuclidean:
+      return "euclidean";
+    case SpacingMetric::kGeodesic:
+      return "geodesic";
+  }
+  return "";
+}
+
 void describe_coarsening(JsonWriter& json, const CoarseningOptions& options) {
-  const bool mis = options.method == CoarseningMethod::kMis;
-  json.field("method", mis ? "mis" : "function");
-  json.field("scheme", "fine-to-coarse").field("metric", "graph");
+  json.field("method", name_of(options.method)).field("scheme", name_of(options.scheme));
+  json.field("metric", name_of(options.metric));
   json.field("beta", options.beta).field("factor", options.factor);
   json.field("protect", protection_ratio(options)).field("seed", options.seed);
 }

@@ -24,6 +24,11 @@ struct HierarchyFormat {
 Status write_hierarchy(OutputSet& outputs, const std::string& directory, const Hierarchy& hierarchy,
                        const CoarseningOptions& options, const HierarchyFormat& format);
 
+/// The names of methods, schemes and metrics on the command line and in files.
+std::string_view name_of(CoarseningMethod method);
+std::string_view name_of(CoarseningScheme scheme);
+std::string_view name_of(SpacingMetric metric);
+
 /// The parameters of a sequence as fields of the open JSON object: method, scheme, metric, beta,
 /// factor, protect, seed.
 void describe_coarsening(JsonWriter& json, const CoarseningOptions& options);

@@ -50,7 +50,7 @@ TEST(ProtectEdges, MakesInvalidExactlyTheInteriorNodesInTheZones) {
       const TriangleMesh grid = test::grid_mesh({.nx = 20, .ny = 20, .hole = 0.02, .seed = seed});
       Protected domain(grid, 5);
       protect_edges(domain.search, domain.mesh.points, domain.edges, domain.boundary.on_boundary,
-                    ratio, domain.selection);
+                    {.ratio = ratio}, domain.selection);
       for (Index v = 0; v < domain.graph.nodes(); ++v) {
         const bool expected = !domain.boundary.on_boundary[v] && domain.lies_too_close(v, ratio);
         EXPECT_EQ(!domain.selection.is_free(v), expected) << "node " << v << ", seed " << seed;
@@ -61,8 +61,8 @@ TEST(ProtectEdges, MakesInvalidExactlyTheInteriorNodesInTheZones) {
 TEST(ProtectEdges, ExemptsSelectedNodes) {
   Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 20);
   domain.selection.force(std::vector<Index>{31});  // (10, 1), above the middle of the lower edge
-  protect_edges(domain.search, domain.mesh.points, domain.edges, domain.boundary.on_boundary, 0.2,
-                domain.selection);
+  protect_edges(domain.search, domain.mesh.points, domain.edges, domain.boundary.on_boundary,
+                {.ratio = 0.2}, domain.selection);
   EXPECT_TRUE(domain.selection.is_selected(31));
   EXPECT_FALSE(domain.selection.is_free(32));
 }

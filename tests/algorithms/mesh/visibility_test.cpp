@@ -93,6 +93,11 @@ TEST(Visibility, EndsAtTheLipsOfASlit) {
   EXPECT_FALSE(visibility.sees(node(4, 2), node(4, 4)));  // across the slit
   EXPECT_TRUE(visibility.sees(node(1, 1), node(3, 5)));   // through its tip
   EXPECT_TRUE(visibility.sees(node(2, 3), node(6, 3)));   // along it
+  for (Index v = 0; v < mesh.points.size(); ++v) {        // along either lip
+    if (mesh.points[v].y != 3 || mesh.points[v].x <= 2 || mesh.points[v].x >= 6) continue;
+    EXPECT_TRUE(visibility.sees(node(0, 3), v)) << v;
+    EXPECT_TRUE(visibility.sees(v, node(7, 3))) << v;
+  }
   std::size_t twins = 0;
   for (Index p = 0; p < mesh.points.size(); ++p)
     for (Index q = 0; q < p; ++q)

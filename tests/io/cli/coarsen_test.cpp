@@ -186,5 +186,50 @@ TEST(CoarsenCommand, WritesTheLevelsThatAreDoneAtALimit) {
   EXPECT_TRUE(contains(test::read_bytes(directory / "out/hierarchy.json"), "\"complete\":false"));
 }
 
+TEST(CoarsenCommand, RunsEverySchemeMetricAndMethod) {
+  const TemporaryDirectory directory;
+  write_square(directory, 24);
+  for (const char* scheme : {"fine-to-coarse", "from-finest", "coarse-to-fine"}) {
+    for (const char* metric : {"graph", "euclidean", "geodesic"}) {
+      const ProgramRun run =
+          run_program({"coarsen", directory / "square", "--scheme", scheme, "--metric", metric,
+                       "--factor", "2", "--boundary-lfs", "-o", directory / "out"});
+      ASSERT_EQ(run.exit_code, 0) << run.err;
+      const std::string summary = test::read_bytes(directory / "out/hierarchy.json");
+      EXPECT_TRUE(contains(summary, std::string("\"scheme\":\"") + scheme)) << summary;
+      EXPECT_TRUE(contains(summary, std::string("\"metric\":\"") + metric)) << summary;
+    }
+  }
+}
+
+TEST(CoarsenCommand, GivesTheMethodsOfChapterSixTheirConstants) {
+  const TemporaryDirectory directory;
+  write_square(directory, 24);
+  const ProgramRun run =
+      run_program({"coarsen", directory / "square", "--method", "threshold,quasi-uniform,mis"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "threshold, euclidean metric: beta 16, C 24, R 0.2, seed 1"))
+      << run.out;
+  EXPECT_TRUE(contains(run.out, "quasi-uniform, euclidean metric: beta 2, C 3, R 0.2, seed 1"))
+      << run.out;
+  EXPECT_EQ(run_program({"coarsen", directory / "square", "--method", "mis,mis"}).exit_code, 2);
+}
+
+TEST(CoarsenCommand, ReadsASpacing) {
+  const TemporaryDirectory directory;
+  write_square(directory, 4);
+  std::string values;
+  for (int v = 0; v < 25; ++v) values += "0.25\n";
+  directory.write("spacing.txt", values);
+  const ProgramRun run = run_program({"coarsen", directory / "square", "--spacing",
+                                      directory / "spacing.txt", "-o", directory / "out"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(test::read_bytes(directory / "out/level_0.spacing"), values);
+  directory.write("spacing.txt", "1\n2\n");
+  EXPECT_EQ(run_program({"coarsen", directory / "square", "--spacing", directory / "spacing.txt"})
+                .exit_code,
+            2);
+}
+
 }  // namespace
 }  // namespace wellspaced
