@@ -17,6 +17,12 @@ void grow(std::vector<Index>& buffer, std::size_t size) {
   if (buffer.size() < size) buffer.resize(size + size / 2);
 }
 
+bool lies_in_one_region(const std::array<Index, 4>& v, std::span<const std::uint8_t> region) {
+  const auto first = region[v[0]];
+  return region[v[1]] == first && region[v[2]] == first &&
+         (v[3] == Triangulation3::kGhost || region[v[3]] == first);
+}
+
 // The insphere filter for several tets at once: the loop over them becomes vector instructions.
 class SphereBatch {
  public:
@@ -82,19 +88,21 @@ void CavitySearch3::meet_neighbors(const Triangulation3& topology) {
       const Index t = link >> 2;
       topology.prefetch(t);
       met[count] = t;
-      count += mark[t] == Mark::kUnknown;
-      mark[t] = static_cast<Mark>(static_cast<int>(mark[t]) | static_cast<int>(Mark::kSeen));
+      count += !has(mark[t], kSeen);
+      mark[t] = both(mark[t], kSeen);
     }
   }
   met_count_ = count;
 }
 
-void CavitySearch3::test_met(const Triangulation3& topology, std::span<const Point3> points,
+// Returns whether no fenced tet was taken.
+bool CavitySearch3::test_met(const Triangulation3& topology, std::span<const Point3> points,
                              Point3 p) {
   grow(taken_, taken_count_ + met_count_ - tested_count_);
   Index* const taken = taken_.data();
   Mark* const mark = mark_.data();
   SphereBatch batch;
+  Mark taken_marks = kUnknown;
   while (tested_count_ < met_count_) {
     const Index* const met = met_.data() + tested_count_;
     const std::size_t count = std::min(SphereBatch::kSize, met_count_ - tested_count_);
@@ -107,10 +115,13 @@ void CavitySearch3::test_met(const Triangulation3& topology, std::span<const Poi
           batch.is_certain(i) ? batch.is_inside(i) : in_conflict(topology, points, t, p);
       taken[taken_count_] = t;
       taken_count_ += inside;
-      mark[t] = static_cast<Mark>(static_cast<int>(Mark::kSeen) | inside << 1);
+      const Mark marks = both(mark[t], static_cast<Mark>(inside * kTaken));
+      mark[t] = marks;
+      taken_marks = both(taken_marks, inside ? marks : kUnknown);
     }
     tested_count_ += count;
   }
+  return !has(taken_marks, kFenced);
 }
 
 void CavitySearch3::collect_rim(const Triangulation3& topology,
@@ -121,7 +132,7 @@ void CavitySearch3::collect_rim(const Triangulation3& topology,
   for (std::size_t j = 0; j < taken_count_; ++j) {
     for (unsigned i = 0; i < 4; ++i) {
       links[count] = taken_[j] << 2 | i;
-      count += mark_[topology.neighbor(taken_[j], i)] == Mark::kSeen;
+      count += !has(mark_[topology.neighbor(taken_[j], i)], kTaken);
     }
   }
   rim.resize(count);
@@ -132,22 +143,36 @@ void CavitySearch3::collect_rim(const Triangulation3& topology,
   }
 }
 
-void CavitySearch3::run(const Triangulation3& topology, std::span<const Point3> points, Index root,
+bool CavitySearch3::run(const Triangulation3& topology, std::span<const Point3> points, Index root,
                         Point3 p, Triangulation3::Cavity& cavity) {
   if (mark_.size() < topology.size()) mark_.resize(topology.capacity());
   grow(taken_, 1);
   taken_[0] = root;
-  mark_[root] = Mark::kTaken;
+  mark_[root] = both(kSeen, kTaken);
   taken_count_ = 1;
   expanded_count_ = met_count_ = tested_count_ = 0;
-  while (expanded_count_ < taken_count_) {
+  bool is_within = true;
+  while (is_within && expanded_count_ < taken_count_) {
     meet_neighbors(topology);
-    test_met(topology, points, p);
+    is_within = test_met(topology, points, p);
   }
-  collect_rim(topology, cavity.rim);
-  cavity.tets.assign(taken_.begin(), taken_.begin() + static_cast<std::ptrdiff_t>(taken_count_));
-  mark_[root] = Mark::kUnknown;
-  for (std::size_t j = 0; j < met_count_; ++j) mark_[met_[j]] = Mark::kUnknown;
+  if (is_within) {
+    collect_rim(topology, cavity.rim);
+    cavity.tets.assign(taken_.begin(), taken_.begin() + static_cast<std::ptrdiff_t>(taken_count_));
+  }
+  const auto forget = [this](Index t) { mark_[t] = static_cast<Mark>(mark_[t] & kFenced); };
+  forget(root);
+  std::for_each_n(met_.begin(), met_count_, forget);
+  return is_within;
 }
+
+void CavitySearch3::fence_off_borders(const Triangulation3& topology,
+                                      std::span<const std::uint8_t> region_of_vertex) {
+  mark_.resize(std::max<std::size_t>(mark_.size(), topology.capacity()));
+  for (Index t = 0; t < topology.size(); ++t)
+    if (!lies_in_one_region(topology.vertices(t), region_of_vertex)) mark_[t] = kFenced;
+}
+
+void CavitySearch3::remove_fence() { std::fill(mark_.begin(), mark_.end(), kUnknown); }
 
 }  // namespace wellspaced

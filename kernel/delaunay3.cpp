@@ -10,6 +10,7 @@
 #include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/walk3.hpp"
 
 namespace wellspaced {
 namespace {
@@ -31,65 +32,21 @@ bool are_collinear(Point3 a, Point3 b, Point3 c) {
 
 // ---- Location ----------------------------------------------------------------------------------
 
-// Positive on the side of the facet's tet.
-inline int Delaunay3::side_of_facet(Facet f, Point3 p) const {
-  const auto [a, b, c] = topology_.vertices(f);
-  return orient3d(points_[a], points_[b], points_[c], p);
-}
-
-// The lowest facet of tet t but `entry` that has p strictly on its far side, or 4. Facets whose
-// side the filter cannot tell are asked only where none is certain.
-inline unsigned Delaunay3::exit_facet(Index t, unsigned entry, Point3 p) const {
-  const auto& v = topology_.vertices(t);
-  const auto signs =
-      predicate_filter::sides(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p)
-          .signs();
-  const unsigned candidates = 0b1111u & ~(1u << entry);
-  if (signs.negative & candidates)
-    return static_cast<unsigned>(std::countr_zero(signs.negative & candidates));
-  for (unsigned i = 0; i < 4; ++i)
-    if ((candidates & ~signs.certain) >> i & 1 && side_of_facet({t, i}, p) < 0) return i;
-  return 4;
-}
-
-// A tet that p lies in or on, or a ghost that p lies strictly beyond. From tet to tet over a facet
-// that has p strictly on its far side: in a Delaunay triangulation that cannot run in circles.
-Index Delaunay3::walk(Point3 p, Index hint) const {
-  Index t = hint < topology_.size() ? hint : 0;
-  if (topology_.is_ghost(t)) t = topology_.neighbor(t, 3);
-  unsigned entry = 4;  // the facet over which t was entered; none yet
-  for (Index steps = 0; steps < topology_.size(); ++steps) {
-    const unsigned exit = exit_facet(t, entry, p);
-    if (exit == 4) return t;
-    const Facet entered = topology_.mirror({t, exit});
-    t = entered.tet;
-    if (topology_.is_ghost(t)) return t;
-    entry = entered.i;
-  }
-  return search_all(p);
-}
-
-Index Delaunay3::search_all(Point3 p) const {
-  for (Index t = 0; t < topology_.size(); ++t)
-    if (in_conflict(topology_, points_, t, p) || vertex_at(t, p) != kNoIndex) return t;
-  return 0;  // not reached: some tet is in conflict with p unless p is a vertex
+// Where a walk to p ends, started at tet `hint` if there is one.
+Index Delaunay3::find(Point3 p, Index hint) const {
+  return walk(topology_, points_, p, hint < topology_.size() ? hint : 0,
+              [](Index) { return true; });
 }
 
 Delaunay3::Location Delaunay3::locate(Point3 p, Index hint) const {
   assert(dimension_ == 3);
-  const Index t = walk(p, hint);
+  const Index t = find(p, hint);
   if (topology_.is_ghost(t)) return {Place::kOutside, t, 0b0111};
   unsigned corners = 0;
   for (unsigned i = 0; i < 4; ++i)
-    if (side_of_facet({t, i}, p) != 0) corners |= 1u << i;
+    if (side_of_facet(topology_, points_, {t, i}, p) != 0) corners |= 1u << i;
   constexpr Place kPlaces[] = {Place::kVertex, Place::kEdge, Place::kFacet, Place::kTet};
   return {kPlaces[std::popcount(corners) - 1], t, corners};
-}
-
-Index Delaunay3::vertex_at(Index t, Point3 p) const {
-  for (const Index v : topology_.vertices(t))
-    if (v != kGhost && points_[v] == p) return v;
-  return kNoIndex;
 }
 
 // ---- Building ----------------------------------------------------------------------------------
@@ -97,17 +54,21 @@ Index Delaunay3::vertex_at(Index t, Point3 p) const {
 Result<Delaunay3> Delaunay3::build(std::span<const Point3> points, const Options& options) {
   if (Status status = check_points(points); !status) return status.error();
   Delaunay3 result;
-  std::vector<Index> order = insertion_order(points);
+  const unsigned regions = BulkInsertion3::region_count(points.size());
+  InsertionRuns runs = insertion_runs(points, regions);
   result.points_.reserve(points.size() + 1);  // one more for add_apex
-  for (const Index i : order) result.points_.push_back(points[i]);
+  for (const Index i : runs.order) result.points_.push_back(points[i]);
   std::vector<Duplicate> duplicates;
   if (result.start()) {
-    if (Status s = result.insert_in_order(duplicates, options); !s) return s.error();
+    BulkInsertion3 insertion(result.topology_, result.points_,
+                             {options.progress, options.max_tets, options.threads});
+    if (Status s = insertion.run(runs.ends, regions); !s) return s.error();
+    duplicates = insertion.duplicates();
     if (result.dimension_ == 2) result.take_triangles();
   } else {
     result.take_chain(duplicates);
   }
-  result.number_as_input(points, order, duplicates);
+  result.number_as_input(points, runs.order, duplicates, std::clamp(options.threads, 1u, regions));
   return result;
 }
 
@@ -132,38 +93,6 @@ bool Delaunay3::start() {
   if (orient3d(points_[0], points_[b], points_[c], points_[d]) > 0) std::swap(b, c);
   topology_.reset(0, b, c, d);
   return true;
-}
-
-Status Delaunay3::insert_in_order(std::vector<Duplicate>& duplicates, const Options& options) {
-  constexpr Index kReportEvery = 1u << 14;
-  const auto first = topology_.vertices(0);
-  scratch_.filler.reserve_vertices(points_.size());
-  Index hint = 0;
-  for (Index v = 0; v < points_.size(); ++v) {
-    if (v % kReportEvery == 0 && !report(options.progress, "triangulate", v, points_.size()))
-      return Error{ErrorCode::kCancelled, "triangulation cancelled", {}};
-    if (std::find(first.begin(), first.end(), v) != first.end()) continue;
-    const Index t = walk(points_[v], hint);
-    const Index twin = vertex_at(t, points_[v]);
-    if (twin != kNoIndex) {
-      duplicates.push_back({v, twin});
-      continue;
-    }
-    if (Status s = put_vertex(v, t, options.max_tets); !s) return s;
-    hint = scratch_.cavity.tets.front();
-  }
-  scratch_ = {};
-  return Ok{};
-}
-
-// Makes v a vertex, given a tet in conflict with it.
-Status Delaunay3::put_vertex(Index v, Index t, Index max_tets) {
-  auto& [search, filler, cavity] = scratch_;
-  search.run(topology_, points_, t, points_[v], cavity);
-  if (topology_.size() - cavity.tets.size() + cavity.rim.size() > max_tets)
-    return Error{ErrorCode::kLimit, "more than " + std::to_string(max_tets) + " tets", {}};
-  filler.fill(topology_, cavity, v);
-  return Ok{};
 }
 
 // Coplanar points and one apex off their plane: spheres through the apex meet the plane in the
@@ -210,7 +139,7 @@ void Delaunay3::take_chain(std::vector<Duplicate>& duplicates) {
 // From numbers in insertion order to the caller's: vertex v becomes order[v], or the lowest number
 // among its duplicates.
 void Delaunay3::number_as_input(std::span<const Point3> points, std::vector<Index>& order,
-                                const std::vector<Duplicate>& duplicates) {
+                                const std::vector<Duplicate>& duplicates, unsigned threads) {
   points_ = {};  // before the copy below, so that the two are never in memory together
   duplicate_count_ = duplicates.size();
   if (!duplicates.empty()) {
@@ -222,7 +151,7 @@ void Delaunay3::number_as_input(std::span<const Point3> points, std::vector<Inde
     for (std::size_t i = 0; i < order.size(); ++i) representative_[input_number[i]] = order[i];
   }
   if (dimension_ == 3) index_tets(order);
-  topology_.renumber_vertices(order);
+  topology_.renumber_vertices(order, threads);
   for (auto& triangle : triangles_)
     for (Index& v : triangle) v = order[v];
   for (Index& v : chain_) v = order[v];
@@ -248,11 +177,11 @@ Result<Index> Delaunay3::insert(Point3 p, Index hint) {
   if (!is_finite(p)) return Error{ErrorCode::kInvalidGeometry, "the new point is not finite", {v}};
   if (v >= kMaxOrderedPoints) return Error{ErrorCode::kLimit, "more than 2^28 points", {}};
   if (dimension_ < 3) return insert_anew(p);
-  const Index t = walk(p, hint), twin = vertex_at(t, p);
+  const Index t = find(p, hint), twin = vertex_at(topology_, points_, t, p);
   points_.push_back(p);
   if (twin == kNoIndex) {
-    scratch_.filler.reserve_vertices(points_.size());
-    if (Status s = put_vertex(v, t, Triangulation3::kMaxTets); !s) {
+    inserter_.filler.reserve_vertices(points_.size());
+    if (Status s = inserter_.insert(topology_, points_, v, t, Triangulation3::kMaxTets); !s) {
       points_.pop_back();
       return s.error();
     }
@@ -265,7 +194,7 @@ Result<Index> Delaunay3::insert(Point3 p, Index hint) {
   duplicate_count_ += vertex != v;
   tet_of_.push_back(kNoIndex);
   if (vertex == v)
-    for (const Index changed : scratch_.cavity.tets)
+    for (const Index changed : inserter_.cavity.tets)
       for (const Index u : topology_.vertices(changed))
         if (u != kGhost) tet_of_[u] = changed;
   return vertex;

@@ -210,21 +210,33 @@ void refine_crowds(std::span<const Point> points, std::vector<Word>& words) {
   }
 }
 
+// The words of all points in order, but for crowded cells.
 template <class Point, class RoundOf>
-std::vector<Index> order_by(std::span<const Point> points, RoundOf round_of) {
+std::vector<Word> sorted_words(std::span<const Point> points, RoundOf round_of) {
   assert(points.size() <= kMaxOrderedPoints);
-  std::vector<Index> order(points.size());
-  if (points.empty()) return order;
-  const auto cube = bounding_cube(points, [](Point p) { return p; });
   std::vector<Word> words(points.size());
+  if (points.empty()) return words;
+  const auto cube = bounding_cube(points, [](Point p) { return p; });
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Word place = cube.half_side > 0 ? place_in(cube, halved(points[i])) : 0;
     words[i] = (Word{round_of(i)} << kCurveBits | place) << kIndexBits | i;
   }
   sort_words(words);
+  return words;
+}
+
+template <class Point>
+std::vector<Index> refined_order(std::span<const Point> points, std::vector<Word>& words) {
+  std::vector<Index> order(points.size());
   refine_crowds(points, words);
   std::transform(words.begin(), words.end(), order.begin(), index_of);
   return order;
+}
+
+template <class Point>
+std::vector<Index> curve_order(std::span<const Point> points) {
+  auto words = sorted_words(points, [](std::size_t) { return 0u; });
+  return refined_order(points, words);
 }
 
 // A point stays out of the last round with probability 2^-round_bits, out of the last two with the
@@ -246,27 +258,58 @@ unsigned round_of_point(std::size_t i, unsigned rounds, unsigned round_bits) {
 }
 
 template <class Point>
-std::vector<Index> order_in_rounds(std::span<const Point> points, unsigned round_bits) {
+std::vector<Word> words_in_rounds(std::span<const Point> points, unsigned round_bits) {
   const unsigned rounds = round_count(points.size(), round_bits);
-  return order_by(points, [&](std::size_t i) { return round_of_point(i, rounds, round_bits); });
+  return sorted_words(points, [&](std::size_t i) { return round_of_point(i, rounds, round_bits); });
+}
+
+// The first of the sorted words at or behind a place on the curve in a round.
+std::size_t first_word(const std::vector<Word>& words, Word round, Word place) {
+  const Word key = (round << kCurveBits | place) << kIndexBits;
+  return static_cast<std::size_t>(std::lower_bound(words.begin(), words.end(), key) -
+                                  words.begin());
+}
+
+// Cuts the rounds of the sorted words into runs, where the curve cuts the last round evenly.
+std::vector<Index> run_ends(const std::vector<Word>& words, unsigned rounds, unsigned regions) {
+  const std::size_t last_begin = first_word(words, rounds - 1, 0);
+  const std::size_t last_count = words.size() - last_begin;
+  std::vector<Index> ends;
+  for (unsigned round = 0; round < rounds; ++round) {
+    for (unsigned region = 1; region < regions; ++region) {
+      const Word cut = words[last_begin + last_count * region / regions] >> kIndexBits;
+      const Word place = cut & ((Word{1} << kCurveBits) - 1);
+      ends.push_back(static_cast<Index>(first_word(words, round, place)));
+    }
+    const bool is_last = round + 1 == rounds;
+    ends.push_back(
+        static_cast<Index>(is_last ? words.size() : first_word(words, Word{round} + 1, 0)));
+  }
+  return ends;
 }
 
 }  // namespace
 
-std::vector<Index> hilbert_order(std::span<const Point2> points) {
-  return order_by(points, [](std::size_t) { return 0u; });
-}
+std::vector<Index> hilbert_order(std::span<const Point2> points) { return curve_order(points); }
 
-std::vector<Index> hilbert_order(std::span<const Point3> points) {
-  return order_by(points, [](std::size_t) { return 0u; });
-}
+std::vector<Index> hilbert_order(std::span<const Point3> points) { return curve_order(points); }
 
 std::vector<Index> insertion_order(std::span<const Point2> points) {
-  return order_in_rounds(points, kPlaneRoundBits);
+  auto words = words_in_rounds(points, kPlaneRoundBits);
+  return refined_order(points, words);
 }
 
 std::vector<Index> insertion_order(std::span<const Point3> points) {
-  return order_in_rounds(points, kSpaceRoundBits);
+  return insertion_runs(points, 1).order;
+}
+
+InsertionRuns insertion_runs(std::span<const Point3> points, unsigned regions) {
+  auto words = words_in_rounds(points, kSpaceRoundBits);
+  InsertionRuns runs{regions, {}, {}};
+  const unsigned rounds = round_count(points.size(), kSpaceRoundBits);
+  if (!points.empty()) runs.ends = run_ends(words, rounds, regions);
+  runs.order = refined_order(points, words);
+  return runs;
 }
 
 std::vector<Index> insertion_order(std::span<const Index> along_curve) {

@@ -35,4 +35,18 @@ std::vector<Index> insertion_order(std::span<const Point3> points);
 /// along_curve holds each point number once. Cost: linear, with no sort.
 std::vector<Index> insertion_order(std::span<const Index> along_curve);
 
+/// An insertion order whose rounds are cut into runs, one for each of several regions of space. The
+/// regions are the same in all rounds: stretches of the curve that hold about as many points of the
+/// last round each.
+struct InsertionRuns {
+  unsigned regions = 1;
+  std::vector<Index> order;
+  /// Where in the order runs end, those of the first round first; the first begins at 0.
+  std::vector<Index> ends;
+};
+
+/// insertion_order, cut up. Requires: regions > 0.
+/// Degenerate: where points are crowded beyond what the curve's grid resolves, runs may be empty.
+InsertionRuns insertion_runs(std::span<const Point3> points, unsigned regions);
+
 }  // namespace wellspaced

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <functional>
 
 // A new tet is a facet of the rim joined to the apex. Two new tets are neighbours where their rim
 // facets share an edge, along which one runs from k to l and the other from l to k. The vertices of
@@ -91,10 +90,7 @@ void StarFiller3::join(Triangulation3& topology, const Triangulation3::Cavity& c
 }
 
 void StarFiller3::fill(Triangulation3& topology, Triangulation3::Cavity& cavity, Index apex) {
-  const std::size_t old_tets = cavity.tets.size(), new_tets = cavity.rim.size();
-  for (std::size_t i = old_tets; i < new_tets; ++i)
-    cavity.tets.push_back(topology.size() + static_cast<Index>(i - old_tets));
-  topology.tets_.resize(topology.tets_.size() + cavity.tets.size() - old_tets);
+  const std::size_t new_tets = cavity.rim.size();
   number_rim_vertices(cavity.rim);
   for (RimFacet& facet : cavity.rim) facet.vertex[facet.corner] = apex;
   const std::size_t slots = new_tets / 2 + 2;  // Euler's formula for the rim
@@ -108,26 +104,6 @@ void StarFiller3::fill(Triangulation3& topology, Triangulation3::Cavity& cavity,
     edge_links_.resize(std::max(edge_links_.size(), capacity));
     join(topology, cavity, HashTable{edge_keys_.data(), edge_links_.data(), capacity - 1});
   }
-  if (new_tets < old_tets) remove_tets(topology, cavity.tets, new_tets);
-}
-
-// Removes the tets of the list from place `first` on by giving their numbers to the last ones.
-void StarFiller3::remove_tets(Triangulation3& topology, std::vector<Index>& list,
-                              std::size_t first) {
-  auto& tets = topology.tets_;
-  // From the highest number down, so that the last tet is never itself to be removed later.
-  std::sort(list.begin() + static_cast<std::ptrdiff_t>(first), list.end(), std::greater<>());
-  for (std::size_t i = first; i < list.size(); ++i) {
-    const Index hole = list[i];
-    tets[hole] = tets.back();
-    tets.pop_back();
-    if (hole == tets.size()) continue;
-    for (unsigned k = 0; k < 4; ++k) {
-      const auto outside = topology.mirror({hole, k});
-      tets[outside.tet].link[outside.i] = Triangulation3::pack(hole, k);
-    }
-  }
-  std::erase_if(list, [&](Index t) { return t >= tets.size(); });
 }
 
 }  // namespace wellspaced

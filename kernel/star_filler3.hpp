@@ -19,11 +19,12 @@ class StarFiller3 {
   /// Makes room for vertices below `count`.
   void reserve_vertices(std::size_t count) { number_of_vertex_.resize(count + 1); }
 
-  /// Replaces the tets of `cavity` by those that join `apex` to its rim. A new tet has the
-  /// vertices of the tet inside, with the apex in place of the corner off the facet. Afterwards
-  /// cavity.tets names the tets that are new or have a new number, a new one first.
-  /// Requires: the rim is a closed surface around the cavity; room for its vertices; no more tets
-  /// than Triangulation3::kMaxTets afterwards.
+  /// Replaces the tets of `cavity` by those that join `apex` to its rim. The new tet on rim facet r
+  /// has the number cavity.tets[r] and the vertices of the tet inside, with the apex in place of
+  /// the corner off the facet. Tets listed behind those are dead then: nothing links to them.
+  /// Requires: the rim is a closed surface around the cavity; room for its vertices; cavity.tets
+  /// lists the tets of the cavity, and then others that are not in use until there is one for each
+  /// facet of the rim.
   /// Cost: expected linear in the rim.
   void fill(Triangulation3& topology, Triangulation3::Cavity& cavity, Index apex);
 
@@ -33,7 +34,6 @@ class StarFiller3 {
   void number_rim_vertices(std::span<const RimFacet> rim);
   template <class Table>
   void join(Triangulation3& topology, const Triangulation3::Cavity& cavity, Table table);
-  static void remove_tets(Triangulation3& topology, std::vector<Index>& list, std::size_t first);
 
   // Every fill numbers its vertices on from where the one before ended, so that what earlier ones
   // left is told by being lower.

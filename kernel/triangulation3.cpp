@@ -1,6 +1,10 @@
 #include "wellspaced/kernel/triangulation3.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
+
+#include "wellspaced/kernel/parallel.hpp"
 
 namespace wellspaced {
 
@@ -21,10 +25,27 @@ void Triangulation3::reset(Index a, Index b, Index c, Index d) {
   }
 }
 
-void Triangulation3::renumber_vertices(const std::vector<Index>& number) {
-  for (Tet& tet : tets_)
-    for (Index& v : tet.vertex)
-      if (v != kGhost) v = number[v];
+void Triangulation3::remove(std::span<Index> dead) {
+  // From the highest number down, so that the last tet is never itself to be removed later.
+  std::sort(dead.begin(), dead.end(), std::greater<>());
+  for (const Index hole : dead) {
+    tets_[hole] = tets_.back();
+    tets_.pop_back();
+    if (hole == tets_.size()) continue;
+    for (unsigned k = 0; k < 4; ++k) {
+      const Facet outside = mirror({hole, k});
+      tets_[outside.tet].link[outside.i] = pack(hole, k);
+    }
+  }
+}
+
+void Triangulation3::renumber_vertices(const std::vector<Index>& number, unsigned threads) {
+  run_parallel(threads, threads, [&](unsigned, std::size_t share) {
+    const std::size_t end = tets_.size() * (share + 1) / threads;
+    for (std::size_t t = tets_.size() * share / threads; t < end; ++t)
+      for (Index& v : tets_[t].vertex)
+        if (v != kGhost) v = number[v];
+  });
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
@@ -103,8 +104,17 @@ class Triangulation3 {
   void reserve(std::size_t tets) { tets_.reserve(tets); }
   std::size_t capacity() const { return tets_.capacity(); }
 
+  /// Adds tets that are yet to be written. Returns the number of the first.
+  Index append(std::size_t count) {
+    tets_.resize(tets_.size() + count);
+    return static_cast<Index>(tets_.size() - count);
+  }
+
+  /// Removes tets that no other links to, by giving their numbers to the last ones. Sorts `dead`.
+  void remove(std::span<Index> dead);
+
   /// Gives every vertex v but the ghost the number number[v].
-  void renumber_vertices(const std::vector<Index>& number);
+  void renumber_vertices(const std::vector<Index>& number, unsigned threads = 1);
 
  private:
   friend class StarFiller3;

@@ -58,6 +58,42 @@ TEST(PointOrder, TheRoundsOfAHilbertOrderAreThoseOfThePoints) {
   EXPECT_TRUE(insertion_order(std::vector<Index>{}).empty());
 }
 
+TEST(PointOrder, RunsCutEveryRoundAtTheSamePlacesOfTheCurve) {
+  const auto points = test::uniform3(20000, 4);
+  const InsertionRuns runs = insertion_runs(points, 2);
+  EXPECT_EQ(runs.order, insertion_order(points));
+  ASSERT_EQ(runs.ends.back(), points.size());
+  ASSERT_TRUE(std::is_sorted(runs.ends.begin(), runs.ends.end()));
+  std::vector<Index> place(points.size());
+  const auto along_curve = hilbert_order(points);
+  for (Index i = 0; i < along_curve.size(); ++i) place[along_curve[i]] = i;
+  Index last_of_first = 0, first_of_second = kNoIndex, v = 0;
+  for (std::size_t run = 0; run < runs.ends.size(); ++run) {
+    for (; v < runs.ends[run]; ++v) {
+      const Index i = place[runs.order[v]];
+      if (run % 2 == 0)
+        last_of_first = std::max(last_of_first, i);
+      else
+        first_of_second = std::min(first_of_second, i);
+    }
+  }
+  EXPECT_EQ(last_of_first + 1, first_of_second);
+}
+
+TEST(PointOrder, RunsOfTheLastRoundAreEven) {
+  const InsertionRuns runs = insertion_runs(test::uniform3(20000, 5), 4);
+  const Index* const last = &runs.ends[runs.ends.size() - 5];
+  for (int r = 0; r < 4; ++r) EXPECT_NEAR(last[r + 1] - last[r], (last[4] - last[0]) / 4.0, 16);
+}
+
+TEST(PointOrder, RunsOfEqualPointsHoldEachOnce) {
+  const InsertionRuns runs = insertion_runs(std::vector<Point3>(5000, Point3{1, 2, 3}), 8);
+  EXPECT_TRUE(is_permutation_of_numbers(runs.order));
+  EXPECT_TRUE(std::is_sorted(runs.ends.begin(), runs.ends.end()));
+  EXPECT_EQ(runs.ends.back(), 5000u);
+  EXPECT_TRUE(insertion_runs(std::vector<Point3>{}, 8).ends.empty());
+}
+
 TEST(PointOrder, EqualPointsKeepTheirOrder) {
   const auto order = hilbert_order(std::vector<Point3>(100, Point3{1, 2, 3}));
   for (Index i = 0; i < order.size(); ++i) EXPECT_EQ(order[i], i);
