@@ -54,6 +54,13 @@ const std::vector<Row> kRows = {
 
 Delaunay3 triangulate_ours(const Points& points) { return *Delaunay3::build(points); }
 
+bool have_same_tets(const Triangulation3& a, const Triangulation3& b) {
+  if (a.size() != b.size()) return false;
+  for (Index t = 0; t < a.size(); ++t)
+    if (a.vertices(t) != b.vertices(t) || a.links(t) != b.links(t)) return false;
+  return true;
+}
+
 struct Counts {
   std::size_t tets = 0, tied_facets = 0;
 };
@@ -144,6 +151,25 @@ void print_row(const Row& row, int runs, double bytes) {
   std::fflush(stdout);
 }
 
+// The wall time of two threads as a ratio to that of one: medians of interleaved runs. It says
+// nothing while other programs use the cores.
+void print_threads(const Points& points, int runs) {
+  std::vector<double> seconds[2];
+  Delaunay3 dt[2];
+  for (int run = 0; run < runs; ++run) {
+    for (const unsigned threads : {1u, 2u}) {
+      dt[threads - 1] = {};
+      const double start = wall_seconds();
+      dt[threads - 1] = *Delaunay3::build(points, {.threads = threads});
+      seconds[threads - 1].push_back(wall_seconds() - start);
+    }
+  }
+  const double one = median(seconds[0]), two = median(seconds[1]);
+  const bool same = have_same_tets(dt[0].topology(), dt[1].topology());
+  std::printf("two threads: %.3f s of wall time to %.3f s of one: %.2f (reach 0.70), bytes %s\n",
+              two, one, two / one, same ? "the same" : "DIFFERENT");
+}
+
 }  // namespace
 }  // namespace wellspaced::bench
 
@@ -160,4 +186,5 @@ int main(int argc, char** argv) {
     bytes.push_back(is_wanted(row) ? peak_growth(row.make, triangulate_ours) : 0);
   for (std::size_t i = 0; i < kRows.size(); ++i)
     if (is_wanted(kRows[i])) print_row(kRows[i], runs, bytes[i]);
+  if (is_wanted(kRows[0])) print_threads(kRows[0].make(), std::max(runs, 5));
 }

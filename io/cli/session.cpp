@@ -34,7 +34,7 @@ CommonOptions read_common_options(Arguments& arguments) {
   options.format = arguments.text("--format", "");
   options.json = arguments.text("--json", "");
   options.seed = static_cast<std::uint64_t>(arguments.integer("--seed", 1, at_least(0)));
-  arguments.integer("--threads", 1, between(1, 1024));
+  options.threads = static_cast<unsigned>(arguments.integer("--threads", 1, between(1, 1024)));
   if (arguments.has("--time-limit"))
     options.time_limit = arguments.number("--time-limit", 0, more_than(0));
   if (arguments.has("--max-memory"))

@@ -22,6 +22,7 @@ struct CommonOptions {
   std::string format;
   std::string json;  ///< --json, empty: not given
   std::uint64_t seed = 1;
+  unsigned threads = 1;
   std::optional<double> time_limit;         ///< seconds
   std::optional<std::uint64_t> max_memory;  ///< bytes
   bool quiet = false;

@@ -27,16 +27,17 @@ struct Report {
 };
 
 struct Choices {
+  unsigned threads = 1;
   HoleRule holes = HoleRule::kParity;
   CrossingRule crossings = CrossingRule::kSplit;
   bool cells_hash = false;
 };
 
-Choices read_choices(Arguments& arguments, const Geometry& input) {
+Choices read_choices(Arguments& arguments, const Geometry& input, unsigned threads) {
   constexpr std::array kRules = {HoleRule::kParity, HoleRule::kSeeds, HoleRule::kNone,
                                  HoleRule::kOuter};
   const std::size_t usual = input.mesh.segments.empty() ? 2 : input.holes.empty() ? 0 : 1;
-  Choices choices;
+  Choices choices{.threads = threads};
   choices.holes = kRules[arguments.choice("--holes", usual, {"parity", "seeds", "none", "outer"})];
   choices.crossings = arguments.choice("--intersections", 0, {"split", "refuse"}) == 0
                           ? CrossingRule::kSplit
@@ -123,7 +124,8 @@ Status triangulate_solid(const Choices& choices, const Progress& progress, Geome
                          Report& report) {
   const MemoryGauge memory;
   const Stopwatch watch;
-  const auto delaunay = Delaunay3::build(geometry.solid.points, {.progress = progress});
+  const auto delaunay =
+      Delaunay3::build(geometry.solid.points, {.progress = progress, .threads = choices.threads});
   if (!delaunay) return delaunay.error();
   report.triangulate = watch.elapsed();
   report.peak_bytes = memory.peak();
@@ -219,7 +221,7 @@ Result<int> run(Arguments& arguments, Session& session) {
   report.read = reading.elapsed();
   report.points = geometry->point_count();
 
-  const Choices choices = read_choices(arguments, *geometry);
+  const Choices choices = read_choices(arguments, *geometry, session.options().threads);
   if (Status status = arguments.status(); !status) return status.error();
   if (Status status = triangulate_any(choices, session.progress(), *geometry, report); !status)
     return in_file(status.error(), path);

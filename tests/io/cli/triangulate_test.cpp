@@ -129,6 +129,20 @@ TEST(Triangulate, TriangulatesSpace) {
   EXPECT_EQ(read_bytes(directory / "a.ele").rfind("2 4 0\n0 ", 0), 0u);
 }
 
+TEST(Triangulate, WritesTheSameBytesWithTwoThreads) {
+  const TemporaryDirectory directory;
+  const std::string points = directory / "points.f64";
+  ASSERT_EQ(run_program({"generate", "box3", "--nodes", "33000", "-o", points}).exit_code, 0);
+  for (const char* const threads : {"1", "2"})
+    ASSERT_EQ(run_program({"triangulate", points, "--threads", threads, "-o",
+                           directory / (std::string("t") + threads + ".ele")})
+                  .exit_code,
+              0);
+  const std::string one = read_bytes(directory / "t1.ele");
+  EXPECT_GT(one.size(), 1000000u);
+  EXPECT_TRUE(one == read_bytes(directory / "t2.ele"));
+}
+
 TEST(Triangulate, PrintsOneLineWithoutJsonAndNothingWhenQuiet) {
   EXPECT_EQ(run_program({"triangulate", "-"}, kSquare).out,
             "4 points, dimension 2, 2 triangles, 4 hull points\n");
