@@ -10,7 +10,6 @@
 namespace wellspaced {
 namespace {
 
-constexpr Index kGhost = Triangulation3::kGhost;
 using Facet = Triangulation3::Facet;
 
 }  // namespace

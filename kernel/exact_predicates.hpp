@@ -18,6 +18,11 @@
 #include "wellspaced/kernel/big_integer.hpp"
 #include "wellspaced/kernel/fixed_integer.hpp"
 
+// As in predicate_filter.hpp.
+#ifdef __clang__
+#pragma float_control(precise, on, push)
+#endif
+
 namespace wellspaced::exact {
 
 // ---- The determinants, on coordinate differences, written once for every kind of number.
@@ -307,3 +312,7 @@ inline int orient3d(const std::array<double, 12>& x) { return sign<Orient3d>(x);
 inline int insphere(const std::array<double, 15>& x) { return sign<Insphere>(x); }
 
 }  // namespace wellspaced::exact
+
+#ifdef __clang__
+#pragma float_control(pop)
+#endif

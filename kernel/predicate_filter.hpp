@@ -26,6 +26,12 @@
     "wellspaced's exact predicates need IEEE arithmetic: compile without -ffast-math and its parts"
 #endif
 
+// clang has no macro for -funsafe-math-optimizations and -fassociative-math alone; there these
+// functions are compiled without them.
+#ifdef __clang__
+#pragma float_control(precise, on, push)
+#endif
+
 namespace wellspaced::predicate_filter {
 
 /// The sign of a determinant that errs by at most `bound` unless it overflowed, or 0.
@@ -213,3 +219,7 @@ inline int compare_distances(Point3 p, Point3 a, Point3 b) {
 }
 
 }  // namespace wellspaced::predicate_filter
+
+#ifdef __clang__
+#pragma float_control(pop)
+#endif

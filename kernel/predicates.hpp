@@ -9,8 +9,11 @@
 // sign never depends on the order in which points are given, beyond the parity. Scaling all
 // coordinates by a power of two and exact translation change nothing.
 //
-// Requires: finite coordinates; IEEE double arithmetic (compiling with -ffast-math is an error)
-// that rounds to nearest and does not flush subnormals to zero. Cost: a few ns where the filter
+// Requires: finite coordinates, and IEEE double arithmetic that rounds to nearest and keeps
+// subnormals while a predicate runs: not another rounding mode, and no flushing to zero, which some
+// compilers switch on at the start of a program that is linked with -ffast-math, -Ofast or
+// -funsafe-math-optimizations. Compiling with -ffast-math, or a part of it that lets a sum be
+// rearranged, is an error (gcc) or has no effect in here (clang). Cost: a few ns where the filter
 // decides, tens of ns on grids and cocircular points, microseconds where the coordinates' exponents
 // lie more than 72 apart.
 //

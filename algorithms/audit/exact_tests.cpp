@@ -69,6 +69,8 @@ template <class T>
 struct Vector {
   T x, y, z;
 };
+template <class T>
+Vector(T, T, T) -> Vector<T>;  // not implied before clang 17
 
 template <class T>
 auto cross(const Vector<T>& a, const Vector<T>& b) {

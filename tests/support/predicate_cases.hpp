@@ -13,6 +13,11 @@
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/random.hpp"
 
+// The same lines under every flag; as in predicate_filter.hpp.
+#ifdef __clang__
+#pragma float_control(precise, on, push)
+#endif
+
 namespace wellspaced::testing {
 
 // ---- The reference: determinants of the points themselves, with a column of ones, not of
@@ -319,3 +324,7 @@ class LineGenerator {
 };
 
 }  // namespace wellspaced::testing
+
+#ifdef __clang__
+#pragma float_control(pop)
+#endif
