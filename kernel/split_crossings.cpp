@@ -7,21 +7,32 @@
 #include <utility>
 
 #include "wellspaced/kernel/crossing.hpp"
+#include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
 namespace {
 
-// For some attempts the result must have the very vertices on each segment that the exact crossings
-// have; then it will do if it is valid.
-constexpr int kStrictAttempts = 25;
-constexpr int kMaxAttempts = 75;
+// What counts as a conflict: at first, whatever gives the result other vertices on a segment than
+// the exact crossings have, and crossings on input points; then only what makes it invalid.
+enum class Demand { kSameVertices, kValid };
 
-// A distinct crossing: two of the segments through it, and the doubles it may be rounded to.
+// How often crossings in conflict are moved, each to its next rounding, before chance takes over;
+// then there are as many attempts by chance, and more as long as they triangulate few points in
+// all.
+constexpr std::size_t kOrderlyAttempts = 25;
+constexpr std::size_t kPointsByChance = std::size_t{1} << 12;
+
+// A distinct crossing: two of the segments through it, and the doubles it may be rounded to; those
+// that are no input point first.
 struct Node {
   std::array<Index, 2> segment;
   std::vector<Point2> candidates;
+  std::size_t free_candidates = 0;
   std::size_t choice = 0;
 };
+
+// Crossings in each other's way.
+using Conflict = std::vector<Index>;
 
 class Splitter {
  public:
@@ -37,10 +48,15 @@ class Splitter {
   void chain_segments();
   Status find_candidates();
   std::vector<Point2> all_points() const;
-  Result<SplitGraph> attempt(std::vector<Index>& conflicts) const;
-  bool shares_its_point(const Delaunay2& dt, Index node) const;
-  Index blame(const Delaunay2& dt, std::span<const Index> vertices) const;
-  bool move_on(const std::vector<Index>& conflicts);
+  std::size_t choices(const Node& node) const;
+  Result<SplitGraph> attempt(std::vector<Conflict>& conflicts) const;
+  Index sharer(const Delaunay2& dt, Index node) const;
+  Conflict nodes_at(const SplitGraph& split, std::span<const Index> vertices) const;
+  void add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Conflict& nodes) const;
+  bool move_on(const std::vector<Conflict>& conflicts);
+  void move_by_chance(const std::vector<Conflict>& conflicts);
+  Result<SplitGraph> search_in_order(std::vector<Conflict>& conflicts);
+  Result<SplitGraph> search_by_chance(std::vector<Conflict>& conflicts);
   Error refusal(Index node) const;
 
   std::span<const Point2> points_;
@@ -49,7 +65,8 @@ class Splitter {
   std::vector<Index> node_of_;  // of each crossing pair
   std::vector<Node> nodes_;     // ascending by x, then y
   std::vector<std::vector<Index>> chains_;
-  bool strict_ = true;  // whether pieces may not run through other vertices
+  Demand demand_ = Demand::kSameVertices;
+  Random random_{1};
 };
 
 Crossing Splitter::crossing(const SegmentCrossing& pair) const {
@@ -106,19 +123,20 @@ void Splitter::chain_segments() {
   }
 }
 
-// The roundings of a crossing that lie within the hull, those on an input point last.
-std::vector<Point2> candidates(const Crossing& crossing, const Delaunay2& bare) {
+// Gives the node the roundings of its crossing that lie within the hull.
+void set_candidates(Node& node, const Crossing& crossing, const Delaunay2& bare) {
   const RoundedCrossing rounded = round_crossing(crossing);
-  std::vector<Point2> free, taken;
+  std::vector<Point2> taken;
   Index hint = 0;
   for (int i = 0; i < (rounded.exact ? 1 : rounded.count); ++i) {
     const Delaunay2::Location found = bare.locate(rounded.points[i], hint);
     hint = found.edge.triangle;
     if (found.place == Delaunay2::Place::kOutside) continue;
-    (found.place == Delaunay2::Place::kVertex ? taken : free).push_back(rounded.points[i]);
+    (found.place == Delaunay2::Place::kVertex ? taken : node.candidates)
+        .push_back(rounded.points[i]);
   }
-  free.insert(free.end(), taken.begin(), taken.end());
-  return free;
+  node.free_candidates = node.candidates.size();
+  node.candidates.insert(node.candidates.end(), taken.begin(), taken.end());
 }
 
 Status Splitter::find_candidates() {
@@ -127,7 +145,7 @@ Status Splitter::find_candidates() {
   for (std::size_t k = 0; k < node_of_.size(); ++k) {
     Node& node = nodes_[node_of_[k]];
     if (!node.candidates.empty()) continue;
-    node.candidates = candidates(crossing(network_.crossings[k]), *bare);
+    set_candidates(node, crossing(network_.crossings[k]), *bare);
     if (node.candidates.empty()) return refusal(node_of_[k]);
   }
   return Ok{};
@@ -135,10 +153,14 @@ Status Splitter::find_candidates() {
 
 Error Splitter::refusal(Index node) const {
   const auto [s, t] = nodes_[node].segment;
+  const char* reason =
+      nodes_[node].candidates.empty()
+          ? " cross where all doubles within 2 units in the last place lie outside the points' hull"
+          : " cross where no doubles within 2 units in the last place were found that keep the "
+            "segments around in order";
   return {ErrorCode::kInvalidGeometry,
-          "segments " + std::to_string(s) + " and " + std::to_string(t) +
-              " cross where no doubles within 2 units in the last place keep the segments around "
-              "in order; scale the input up to whole numbers, or move one of them",
+          "segments " + std::to_string(s) + " and " + std::to_string(t) + reason +
+              "; scale the input up to whole numbers, or move one of them",
           {s, t}};
 }
 
@@ -148,80 +170,139 @@ std::vector<Point2> Splitter::all_points() const {
   return all;
 }
 
-// Whether an earlier crossing has been rounded to the same point.
-bool Splitter::shares_its_point(const Delaunay2& dt, Index node) const {
-  const Index point = static_cast<Index>(points_.size()) + node;
-  const Index vertex = dt.representative(point);
-  return vertex != point && vertex >= points_.size();
+// How many of its roundings a crossing may have now.
+std::size_t Splitter::choices(const Node& node) const {
+  const bool any = demand_ == Demand::kValid || node.free_candidates == 0;
+  return any ? node.candidates.size() : node.free_candidates;
 }
 
-// Triangulates with the present choices. Fails with the crossings to move in `conflicts`.
-Result<SplitGraph> Splitter::attempt(std::vector<Index>& conflicts) const {
+// An earlier crossing that has been rounded to the same point, or kNoIndex.
+Index Splitter::sharer(const Delaunay2& dt, Index node) const {
+  const Index first_node = static_cast<Index>(points_.size());
+  const Index vertex = dt.representative(first_node + node);
+  return vertex == first_node + node || vertex < first_node ? kNoIndex : vertex - first_node;
+}
+
+// Triangulates with the present choices. Fails with what has to move in `conflicts`.
+Result<SplitGraph> Splitter::attempt(std::vector<Conflict>& conflicts) const {
+  conflicts.clear();
   Result<Delaunay2> built = Delaunay2::build(all_points());
   if (!built) return built.error();
   SplitGraph split{std::move(*built), {}};
   for (Index node = 0; node < nodes_.size(); ++node)
-    if (shares_its_point(split.delaunay, node)) conflicts.push_back(node);
+    if (const Index other = sharer(split.delaunay, node); other != kNoIndex)
+      conflicts.push_back({other, node});
   for (const std::vector<Index>& chain : chains_) {
-    std::vector<Index> refined(chain.begin(), chain.begin() + 1);
+    split.chains.emplace_back(chain.begin(), chain.begin() + 1);
+    std::vector<Index>& refined = split.chains.back();
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       const Result<std::vector<Index>> path =
           split.delaunay.insert_constraint(chain[i], chain[i + 1]);
       if (!path) {
-        conflicts.push_back(blame(split.delaunay, path.error().ids));
+        conflicts.push_back(nodes_at(split, path.error().ids));
         continue;
       }
-      if (path->size() > 2 && strict_) conflicts.push_back(blame(split.delaunay, *path));
+      if (path->size() > 2 && demand_ == Demand::kSameVertices)
+        conflicts.push_back(nodes_at(split, *path));
       refined.insert(refined.end(), path->begin() + 1, path->end());
     }
-    split.chains.push_back(std::move(refined));
   }
   if (conflicts.empty()) return split;
-  return refusal(conflicts.front());
+  return refusal(conflicts.front().front());
 }
 
-// Of the crossings among vertices in each other's way, the one moved least so far. There is one,
-// perhaps on an input point: between input points all is exact.
-Index Splitter::blame(const Delaunay2& dt, std::span<const Index> vertices) const {
-  Index blamed = kNoIndex;
-  const auto consider = [&](Index node) {
-    if (blamed == kNoIndex || nodes_[node].choice < nodes_[blamed].choice) blamed = node;
-  };
+// The crossings among vertices in each other's way, perhaps on an input point; or else those of the
+// segment that was bent until it ran between input points, through the last two: between segments
+// that are not bent all is exact.
+Conflict Splitter::nodes_at(const SplitGraph& split, std::span<const Index> vertices) const {
   const Index first_node = static_cast<Index>(points_.size());
+  Conflict nodes;
   for (const Index v : vertices)
-    if (v >= first_node) consider(v - first_node);
-  for (Index node = 0; blamed == kNoIndex && node < nodes_.size(); ++node)
+    if (v >= first_node) nodes.push_back(v - first_node);
+  for (Index node = 0; nodes.empty() && node < nodes_.size(); ++node)
     for (const Index v : vertices)
-      if (dt.representative(first_node + node) == v) consider(node);
-  assert(blamed != kNoIndex);
-  return blamed;
+      if (split.delaunay.representative(first_node + node) == v) nodes.push_back(node);
+  if (nodes.empty()) add_nodes_of_edge(split, vertices.end()[-2], vertices.back(), nodes);
+  assert(!nodes.empty());
+  return nodes;
 }
 
-// Moves each crossing to its next candidate, from the last back to the first. Returns false if none
-// has another.
-bool Splitter::move_on(const std::vector<Index>& conflicts) {
+// Adds the crossings on the segments that have the edge from c to d.
+void Splitter::add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Conflict& nodes) const {
+  const Index first_node = static_cast<Index>(points_.size());
+  const auto is_edge = [&](Index u, Index v) { return (u == c && v == d) || (u == d && v == c); };
+  for (std::size_t s = 0; s < split.chains.size(); ++s) {
+    const std::vector<Index>& refined = split.chains[s];
+    if (std::adjacent_find(refined.begin(), refined.end(), is_edge) == refined.end()) continue;
+    for (const Index v : chains_[s])
+      if (v >= first_node) nodes.push_back(v - first_node);
+  }
+}
+
+// Of each conflict, moves the crossing that was moved least so far to its next rounding, from the
+// last back to the first. Returns false if none has another.
+bool Splitter::move_on(const std::vector<Conflict>& conflicts) {
+  std::vector<Index> blamed;
+  for (const Conflict& nodes : conflicts)
+    blamed.push_back(*std::min_element(nodes.begin(), nodes.end(), [&](Index k, Index l) {
+      return nodes_[k].choice < nodes_[l].choice;
+    }));
+  std::sort(blamed.begin(), blamed.end());  // so that none moves twice
+  blamed.erase(std::unique(blamed.begin(), blamed.end()), blamed.end());
   bool moved = false;
-  for (const Index k : conflicts) {
+  for (const Index k : blamed) {
     Node& node = nodes_[k];
-    node.choice = (node.choice + 1) % node.candidates.size();
-    moved |= node.candidates.size() > 1;
+    node.choice = (node.choice + 1) % choices(node);
+    moved |= choices(node) > 1;
   }
   return moved;
+}
+
+Result<SplitGraph> Splitter::search_in_order(std::vector<Conflict>& conflicts) {
+  Result<SplitGraph> split = attempt(conflicts);
+  for (std::size_t k = 1; k < kOrderlyAttempts && !conflicts.empty() && move_on(conflicts); ++k)
+    split = attempt(conflicts);
+  return split;
+}
+
+void Splitter::move_by_chance(const std::vector<Conflict>& conflicts) {
+  for (const Conflict& nodes : conflicts) {
+    if (random_.below(2) == 0) continue;
+    Node& node = nodes_[nodes[random_.below(nodes.size())]];
+    node.choice = random_.below(choices(node));
+  }
+}
+
+// From the present choices to ones with as few conflicts or fewer, and so on.
+Result<SplitGraph> Splitter::search_by_chance(std::vector<Conflict>& conflicts) {
+  Result<SplitGraph> split = attempt(conflicts);
+  const std::size_t points = points_.size() + nodes_.size();
+  const std::size_t attempts = kOrderlyAttempts + kPointsByChance / points;
+  for (std::size_t k = 0; k < attempts && !conflicts.empty(); ++k) {
+    const std::vector<Node> before = nodes_;
+    std::vector<Conflict> left;
+    move_by_chance(conflicts);
+    split = attempt(left);
+    if (left.size() <= conflicts.size())
+      conflicts = std::move(left);
+    else
+      nodes_ = before;
+  }
+  return split;
 }
 
 Result<SplitGraph> Splitter::run() {
   number_nodes();
   chain_segments();
   if (Status status = find_candidates(); !status) return status.error();
-  for (int k = 1;; ++k) {
-    std::vector<Index> conflicts;
-    strict_ = k <= kStrictAttempts;
-    Result<SplitGraph> split = attempt(conflicts);
-    if (split || conflicts.empty() || k == kMaxAttempts) return split;
-    std::sort(conflicts.begin(), conflicts.end());  // so that none moves twice
-    conflicts.erase(std::unique(conflicts.begin(), conflicts.end()), conflicts.end());
-    if (!move_on(conflicts)) return split;
+  std::vector<Conflict> conflicts;
+  for (const Demand demand : {Demand::kSameVertices, Demand::kValid}) {
+    demand_ = demand;
+    Result<SplitGraph> split = search_in_order(conflicts);
+    if (!conflicts.empty()) split = search_by_chance(conflicts);
+    if (conflicts.empty() || demand == Demand::kValid) return split;
   }
+  return refusal(0);  // not reached
 }
 
 }  // namespace

@@ -62,12 +62,22 @@ std::size_t count_hull_points(const Delaunay2& delaunay, std::size_t triangles) 
   return delaunay.topology().size() - triangles;  // a ghost for each hull edge
 }
 
+// How many of `count` points from `first` on are no vertices.
+std::size_t count_duplicates(const Delaunay2& delaunay, std::size_t first, std::size_t count) {
+  std::size_t duplicates = 0;
+  for (std::size_t i = first; i < first + count; ++i)
+    duplicates += !delaunay.is_vertex(static_cast<Index>(i));
+  return duplicates;
+}
+
 void describe(const Delaunay2& delaunay, bool cells_hash, std::span<const Segment> segments,
               Report& report) {
   const Triangles all = hull_triangles(delaunay.topology());
   report.dimension = delaunay.dimension();
-  report.duplicates = delaunay.duplicate_count();
+  report.duplicates = count_duplicates(delaunay, 0, report.points);
   report.distinct_points = report.points - report.duplicates;
+  const std::size_t added = delaunay.points().size() - report.points;
+  report.added_points = added - count_duplicates(delaunay, report.points, added);
   report.hull_points = count_hull_points(delaunay, all.size());
   if (cells_hash && delaunay.dimension() == 2)
     report.cells_sha256 =
@@ -115,7 +125,6 @@ Status triangulate_domain(const Choices& choices, const Progress& progress, Geom
   geometry.mesh.segments = result->segments;
   pad_point_data(geometry);
   report.triangles = geometry.mesh.triangles.size();
-  report.added_points = result->added_points;
   report.constrained_edges = result->segments.size();
   return Ok{};
 }
