@@ -14,6 +14,9 @@
 #include "wellspaced/algorithms/audit/level_spacing.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/audit/places.hpp"
+#include "wellspaced/algorithms/audit/shape_tools.hpp"
+#include "wellspaced/algorithms/audit/well_spaced.hpp"
+#include "wellspaced/kernel/elementary.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -155,6 +158,22 @@ void audit_fixed(Judged& coarse, std::span<const Index> fixed) {
     if (v >= coarse.numbers.size() || coarse.numbers[v] == kNoIndex) check.violate({v});
 }
 
+// If the triangles of two meshes are C-similar where they meet and have no angle below theta, those
+// that meet one of longest edge E have longest edges of E / C or more, so areas of
+// (E / C)^2 tan(theta) / 4 or more, and lie in a disc of radius E / sqrt 3 + C E.
+void compare_with_lemma_5_1_7(Report& report, Index most, double min_angle) {
+  const Point2 on_circle = circle_point(min_angle / 360);
+  const double c = report.measure("similarity")->value, radius = c + std::sqrt(1.0 / 3);
+  Theorem theorem;
+  theorem.name = "5.1.7";
+  theorem.statement = "intersections <= 4 pi C^2 (C + 1 / sqrt 3)^2 / tan(theta)";
+  if (on_circle.y <= 0) theorem.missing_hypothesis = "no angle is 0";
+  theorem.left = most;
+  theorem.right = 4 * kPi * c * c * radius * radius * ratio(on_circle.x, on_circle.y);
+  theorem.holds = theorem.left <= theorem.right;
+  report.theorems.push_back(std::move(theorem));
+}
+
 void audit_intersections(Judged& coarse, const Judged& finer) {
   if (!coarse.is_embedded() || !finer.is_embedded()) return;
   const Intersections found = count_intersections(finer.mesh(), coarse.mesh(), coarse.parents);
@@ -162,6 +181,8 @@ void audit_intersections(Judged& coarse, const Judged& finer) {
   coarse.report.add_measure("intersection_max", found.max_per_coarse());
   coarse.report.add_measure("intersection_max_finer", found.max_per_fine());
   coarse.report.add_measure("similarity", found.similarity);
+  compare_with_lemma_5_1_7(coarse.report, std::max(found.max_per_coarse(), found.max_per_fine()),
+                           std::min(coarse.measured("min_angle"), finer.measured("min_angle")));
 }
 
 // The two checks list pairs of nodes of the level.
@@ -177,8 +198,8 @@ bool has_spacing(const Judged& coarse, const HierarchyAuditOptions& options) {
                      [](double f) { return f > 0 && std::isfinite(f); });
 }
 
-void audit_spacing(Judged& coarse, const Judged& selected_from,
-                   const HierarchyAuditOptions& options) {
+void audit_level_spacing(Judged& coarse, const Judged& selected_from,
+                         const HierarchyAuditOptions& options) {
   if (!has_spacing(coarse, options)) return;
   std::set<Index> fixed(options.fixed.begin(), options.fixed.end());
   std::vector<Index> nodes, level_nodes;
@@ -240,7 +261,9 @@ void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
   audit_boundary(coarse, finer, finest);
   audit_intersections(coarse, finer);
   const bool from_finest = options.selected_from == SelectedFrom::kFinest;
-  audit_spacing(coarse, from_finest ? finest : finer, options);
+  audit_level_spacing(coarse, from_finest ? finest : finer, options);
+  if (options.well_spacing == WellSpacing::kMeasured && has_spacing(coarse, options))
+    audit_spacing(coarse.mesh(), {coarse.level.spacing, options.beta}, coarse.report);
 }
 
 // A check without a level that counts the levels' violations of one name, or of all required ones.
@@ -270,6 +293,10 @@ void append_level(Report& report, Report&& level, Index number) {
   for (Measure& measure : level.measures) {
     measure.level = number;
     report.measures.push_back(std::move(measure));
+  }
+  for (Theorem& theorem : level.theorems) {
+    theorem.level = number;
+    report.theorems.push_back(std::move(theorem));
   }
 }
 

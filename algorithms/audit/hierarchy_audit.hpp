@@ -23,6 +23,9 @@ struct HierarchyLevel {
 /// The mesh that a level's nodes were selected from, in whose graph metric they are spaced.
 enum class SelectedFrom { kLevelBefore, kFinest };
 
+/// Whether audit_spacing() judges the levels from 1 on that have a spacing function, too.
+enum class WellSpacing { kLeftOut, kMeasured };
+
 /// beta: the spacing constant; 0: not known, spacing is then not judged.
 /// fixed: the special points, as nodes of the finest mesh.
 /// domain: what level 0 is judged against; null: not known.
@@ -31,6 +34,7 @@ struct HierarchyAuditOptions {
   SelectedFrom selected_from = SelectedFrom::kLevelBefore;
   std::span<const Index> fixed = {};
   const Pslg* domain = nullptr;
+  WellSpacing well_spacing = WellSpacing::kLeftOut;
 };
 
 /// Judges a hierarchy, finest level first. Its checks without a level sum up those of the levels:
@@ -59,6 +63,7 @@ struct HierarchyAuditOptions {
 ///   intersection_max_finer (triangles that one of the level before meets), similarity (the
 ///   constant of Definition 5.1.5). Without a level: levels, and the worst of similarity and
 ///   intersection_max over all levels.
+/// Theorem: 5.1.7, for each pair of levels: local similarity bounds the intersections.
 /// Cost: that of audit_mesh on all levels, of count_intersections and of graph_spacing_violations.
 /// See: Definitions 5.1.1 to 5.1.8; ERRATA "For the auditor".
 Report audit_hierarchy(std::span<const HierarchyLevel> levels,

@@ -77,12 +77,32 @@ struct Worst {
   std::vector<double> values;
 };
 
+/// Where a measure comes from, in the caller's coordinates: a ball around `centre` with `at` on its
+/// surface, or two places.
+struct Witness {
+  std::string name;
+  std::vector<double> centre, at;
+};
+
+/// An inequality of the thesis, left <= right if it holds, on the instance. If a hypothesis is
+/// missing, the theorem says nothing here.
+struct Theorem {
+  std::string name, statement, missing_hypothesis;
+  double left = 0, right = 0;
+  bool holds = false;
+  std::optional<Index> level;  ///< as that of a check
+
+  bool applies() const { return missing_hypothesis.empty(); }
+};
+
 /// All that was found, in the order in which it was looked for.
 struct Report {
   std::vector<Check> checks;
   std::vector<Measure> measures;
   std::vector<Histogram> histograms;
   std::vector<Worst> worst;
+  std::vector<Witness> witnesses;
+  std::vector<Theorem> theorems;
 
   /// The verdict: every required check passes.
   bool pass() const;

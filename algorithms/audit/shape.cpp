@@ -59,13 +59,6 @@ struct TriangleFigures {
   double edge_to_height() const { return long_sq * inverse; }
 };
 
-// A power of two that brings the coordinates near 1 where their squares might overflow or vanish.
-double scale_of(std::span<const Point2> points) {
-  double largest = 0;
-  for (const Point2 p : points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
-  return scale_for(largest);
-}
-
 Point2 scaled(Point2 p, double scale) { return {p.x * scale, p.y * scale}; }
 
 class Shapes {

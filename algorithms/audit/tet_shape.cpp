@@ -21,14 +21,6 @@ constexpr std::array<double, 11> kTetAspectBounds = {3,  3.5, 4,   5,    7,     
 
 double length(Point3 a) { return std::sqrt(dot(a, a)); }
 
-// A power of two that brings the coordinates near 1 where their powers might overflow or vanish.
-double scale_of(std::span<const Point3> points) {
-  double largest = 0;
-  for (const Point3& p : points)
-    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  return scale_for(largest);
-}
-
 TetCorners scaled(const TetCorners& tet, double scale) {
   return {scale * tet[0], scale * tet[1], scale * tet[2], scale * tet[3]};
 }

@@ -10,11 +10,15 @@
 #include "wellspaced/algorithms/audit/embedding.hpp"
 #include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
+#include "wellspaced/algorithms/audit/point_mesh.hpp"
 #include "wellspaced/algorithms/audit/requirement.hpp"
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
 #include "wellspaced/algorithms/audit/tet_embedding.hpp"
+#include "wellspaced/algorithms/audit/theorems.hpp"
+#include "wellspaced/algorithms/audit/well_spaced.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/hierarchy_input.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
@@ -24,10 +28,13 @@
 namespace wellspaced::cli {
 namespace {
 
-constexpr std::array<Option, 5> kOptions = {{
+constexpr std::array<Option, 8> kOptions = {{
     {"--domain", "FILE", "the domain that the mesh must conform to"},
     {"--allowance", "ULPS",
      "how far rounding may put nodes off its segments, in units in the last place (2)"},
+    {"--spacing", "FILE|nn", "judge how the nodes are spaced by f, one value a line; nn: by NN"},
+    {"--lfs", "FILE", "the same for a packing, by its local feature size"},
+    {"--beta", "B", "the spacing constant that is claimed"},
     {"--require", "NAME|EXPR|@FILE",
      "let a check, or a bound like \"min_angle>=15\", count; @FILE: one a line",
      Option::Times::kAnyNumber},
@@ -39,6 +46,9 @@ constexpr std::array<Option, 5> kOptions = {{
 struct Demands {
   std::optional<Pslg> domain;
   double allowance = 2;
+  std::string spacing;  // a file, "nn", or empty
+  bool is_packing = false;
+  double beta = 0;
   std::vector<audit::Requirement> requirements;
   bool strict = false;
   std::string vtu;
@@ -79,6 +89,9 @@ Result<Demands> read_demands(Arguments& arguments) {
   Demands demands;
   demands.strict = arguments.has("--strict");
   demands.vtu = arguments.text("--vtu", "");
+  demands.is_packing = arguments.has("--lfs");
+  demands.spacing = arguments.text("--lfs", arguments.text("--spacing", ""));
+  demands.beta = arguments.number("--beta", 0, more_than(0));
   demands.allowance = arguments.number("--allowance", demands.allowance, at_least(0));
   if (!arguments.status()) return arguments.status().error();
   for (const std::string& text : arguments.values("--require")) {
@@ -143,13 +156,51 @@ audit::Report audit_triangles(const std::string& path, const Geometry& geometry,
   return audit::audit_mesh(geometry.mesh, options);
 }
 
+// Judges the spacing of the nodes, if that is asked for.
+template <class Mesh>
+Status add_spacing(const Demands& demands, const Mesh& mesh, audit::Report& report) {
+  if (demands.spacing.empty() || report.check("no_overlap") == nullptr) return Ok{};
+  audit::SpacingAuditOptions options;
+  options.beta = demands.beta;
+  std::vector<double> values;
+  audit::SpacingKind kind = audit::SpacingKind::kNearestNeighbour;
+  if (demands.spacing != "nn") {
+    auto column = read_column(demands.spacing, mesh.points.size());
+    if (!column) return column.error();
+    values = std::move(*column);
+    options.spacing = values;
+    kind = demands.is_packing ? audit::SpacingKind::kLocalFeatureSize : audit::SpacingKind::kGiven;
+  }
+  audit::audit_spacing(mesh, options, report);
+  audit::compare_with_theorems(mesh, kind, report);
+  return Ok{};
+}
+
 // Completes the report on a mesh.
 template <class Mesh>
 Result<audit::Report> finish(audit::Report report, const Mesh& mesh, const Demands& demands,
                              Session& session) {
+  if (Status status = add_spacing(demands, mesh, report); !status) return status.error();
   if (Status status = apply(demands, report, mesh); !status) return status.error();
   if (Status status = write_picture(demands, mesh, report, session); !status) return status.error();
   return report;
+}
+
+// A point set can be audited for its spacing alone: it gets a mesh.
+Status mesh_points(const std::string& path, const Demands& demands, Geometry& geometry) {
+  if (demands.spacing.empty())
+    return Error{ErrorCode::kUnreadable, display_name(path) + ": holds no mesh to audit", {}};
+  if (geometry.dimension == 3) {
+    auto mesh = audit::mesh_of_points(geometry.solid.points);
+    if (!mesh) return mesh.error();
+    geometry.solid = std::move(*mesh);
+    return Ok{};
+  }
+  auto mesh =
+      audit::mesh_of_points(geometry.mesh.points, demands.domain ? &*demands.domain : nullptr);
+  if (!mesh) return mesh.error();
+  geometry.mesh = std::move(*mesh);
+  return Ok{};
 }
 
 Result<audit::Report> audit_file(const std::string& path, const Demands& demands,
@@ -160,7 +211,7 @@ Result<audit::Report> audit_file(const std::string& path, const Demands& demands
   if (!geometry) return geometry.error();
   for (const std::string& note : geometry->notes) session.note(note);
   if (!geometry->has_cells())
-    return Error{ErrorCode::kUnreadable, display_name(path) + ": holds no mesh to audit", {}};
+    if (Status status = mesh_points(path, demands, *geometry); !status) return status.error();
   turn_if_needed(*geometry, display_name(path), session);
   if (geometry->dimension == 2)
     return finish(audit_triangles(path, *geometry, demands), geometry->mesh, demands, session);
@@ -179,6 +230,7 @@ audit::HierarchyAuditOptions options_for(const HierarchyInput& input, const Dema
   if (input.scheme == "from-finest" || input.scheme == "coarse-to-fine")
     options.selected_from = audit::SelectedFrom::kFinest;
   options.fixed = input.fixed;
+  options.well_spacing = audit::WellSpacing::kMeasured;
   if (demands.domain) options.domain = &*demands.domain;
   return options;
 }

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/json/json_reader.hpp"
-#include "wellspaced/io/text/scanner.hpp"
 
 namespace wellspaced {
 namespace {
@@ -25,20 +25,10 @@ std::string find_file(const std::string& stem) {
   return {};
 }
 
-// One number a line, `count` of them; empty if there is no such file.
-Result<std::vector<double>> read_column(const std::string& path, std::size_t count) {
-  std::vector<double> values;
-  if (!file_exists(path)) return values;
-  const auto text = read_input(path);
-  if (!text) return text.error();
-  Scanner scanner(*text, path);
-  while (scanner.next_line() && values.size() <= count) values.push_back(scanner.number("a value"));
-  if (!scanner.ok()) return scanner.error();
-  if (values.size() != count)
-    return Error{ErrorCode::kUnreadable,
-                 path + ": holds not one value for each of the " + std::to_string(count) + " nodes",
-                 {}};
-  return values;
+// A column beside a level; empty if there is no such file.
+Result<std::vector<double>> read_column_if_there(const std::string& path, std::size_t count) {
+  if (!file_exists(path)) return std::vector<double>{};
+  return read_column(path, count);
 }
 
 Index to_index(double value) {
@@ -55,10 +45,10 @@ Result<audit::HierarchyLevel> read_level(const std::string& stem, const std::str
     return Error{ErrorCode::kUnreadable, file + ": holds no triangles", {}};
   audit::HierarchyLevel level;
   level.mesh = std::move(geometry->mesh);
-  const auto origin = read_column(stem + ".origin", level.mesh.points.size());
+  const auto origin = read_column_if_there(stem + ".origin", level.mesh.points.size());
   if (!origin) return origin.error();
   for (const double value : *origin) level.origin.push_back(to_index(value));
-  auto spacing = read_column(stem + ".spacing", level.mesh.points.size());
+  auto spacing = read_column_if_there(stem + ".spacing", level.mesh.points.size());
   if (!spacing) return spacing.error();
   level.spacing = std::move(*spacing);
   return level;

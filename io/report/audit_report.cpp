@@ -83,6 +83,32 @@ void append_worst(JsonWriter& json, const audit::Report& report) {
   json.end_object();
 }
 
+void append_witnesses(JsonWriter& json, const audit::Report& report) {
+  if (report.witnesses.empty()) return;
+  json.key("witnesses").begin_object();
+  for (const audit::Witness& witness : report.witnesses) {
+    json.key(witness.name).begin_object();
+    append_list(json.key("centre"), witness.centre, witness.centre.size());
+    append_list(json.key("at"), witness.at, witness.at.size());
+    json.end_object();
+  }
+  json.end_object();
+}
+
+void append_theorems(JsonWriter& json, const audit::Report& report) {
+  if (report.theorems.empty()) return;
+  json.key("theorems").begin_array();
+  for (const audit::Theorem& theorem : report.theorems) {
+    json.begin_object().field("name", theorem.name);
+    if (theorem.level) json.field("level", *theorem.level);
+    json.field("statement", theorem.statement);
+    json.field("applies", theorem.applies()).field("missing", theorem.missing_hypothesis);
+    json.field("left", theorem.left).field("right", theorem.right);
+    json.field("holds", theorem.holds).end_object();
+  }
+  json.end_array();
+}
+
 std::string padded(std::string text, std::size_t width) {
   if (text.size() < width) text.append(width - text.size(), ' ');
   return text;
@@ -116,6 +142,19 @@ std::string check_line(const Check& check) {
   std::string line = "  " + padded(level_prefix(check.level) + check.name, 34);
   line += check.required ? "required  " : "          ";
   return line + (check.pass() ? "pass" : failure(check)) + "\n";
+}
+
+std::string theorem_line(const audit::Theorem& theorem) {
+  TextWriter text;
+  text << "  theorem " << padded(level_prefix(theorem.level) + theorem.name, 12) << ' '
+       << padded(theorem.statement, 42) << ' ';
+  if (!theorem.applies()) {
+    text << "does not apply: not that " << theorem.missing_hypothesis << '\n';
+    return text.text();
+  }
+  text << six_digits(theorem.left) << " <= " << six_digits(theorem.right)
+       << (theorem.holds ? "\n" : "  FAILS\n");
+  return text.text();
 }
 
 // The columns of the table of levels: titles and measures.
@@ -177,6 +216,8 @@ void append_audit_json(JsonWriter& json, const audit::Report& report) {
   json.end_object();
   append_histograms(json, report);
   append_worst(json, report);
+  append_witnesses(json, report);
+  append_theorems(json, report);
 }
 
 std::string audit_table(const audit::Report& report) {
@@ -185,6 +226,7 @@ std::string audit_table(const audit::Report& report) {
     if (!check.level || !check.pass()) text += check_line(check);
   for (const audit::Measure& measure : report.measures)
     if (!measure.level) text += "  " + padded(measure.name, 34) + six_digits(measure.value) + "\n";
+  for (const audit::Theorem& theorem : report.theorems) text += theorem_line(theorem);
   return text + level_table(report);
 }
 

@@ -10,7 +10,7 @@
 namespace wellspaced {
 
 /// Appends the members of the JSON object of `audit --json`: "verdict", "checks", "measures",
-/// "histograms", "worst". "first" holds the ids of the first ten violations, as many ids for each
+/// "histograms", "worst", and "witnesses" and "theorems" where there are any. "first" holds the ids of the first ten violations, as many ids for each
 /// as its item takes. Measures of the levels of a hierarchy stand in "levels", level by level.
 void append_audit_json(JsonWriter& json, const audit::Report& report);
 

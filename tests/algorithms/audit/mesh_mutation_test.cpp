@@ -122,6 +122,20 @@ bool move_across_an_edge(TriangleMesh& mesh, Random& random, int wanted) {
   return orientation(mesh, corners) == wanted;
 }
 
+// Two neighbours take each other's place, as if their lines in the file were swapped.
+bool swap_two_nodes(TriangleMesh& mesh, Random& random) {
+  std::set<Index> outer;
+  for (const Segment& s : mesh.segments) outer.insert({s.a, s.b});
+  for (int tries = 0; tries < 200; ++tries) {
+    const auto e = any_inner_edge(mesh, random);
+    if (!e) return false;
+    if (outer.count(e->a) > 0 || outer.count(e->b) > 0) continue;
+    std::swap(mesh.points[e->a], mesh.points[e->b]);
+    return true;
+  }
+  return false;
+}
+
 bool split_one_side(TriangleMesh& mesh, Random& random) {
   const auto e = any_inner_edge(mesh, random);
   if (!e) return false;
@@ -384,6 +398,10 @@ std::vector<Fault> embedding_faults() {
        [](TriangleMesh& m, Random& r) { return move_across_an_edge(m, r, 0); },
        {"no_flat"},
        kCircles + Names{"no_hanging_node", "no_overlap", "no_inverted"}},
+      {"two neighbouring nodes swapped",
+       swap_two_nodes,
+       {"no_inverted", "no_overlap"},
+       kCircles + Names{"no_flat", "no_hanging_node"}},
       {"hanging node", split_one_side, {"no_hanging_node"}, kRims + kCircles},
       {"overlapping sheet", add_shifted_sheet, {"no_overlap"}, kRims},
       {"overlap of pieces glued at a node",

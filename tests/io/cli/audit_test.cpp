@@ -194,6 +194,35 @@ TEST(AuditCommand, JudgesADirectoryOfLevels) {
   EXPECT_TRUE(contains(broken.out, "{\"name\":\"node_nested\",\"required\":true,\"pass\":false"));
 }
 
+// A square with its centre, as points alone.
+TEST(AuditCommand, JudgesTheSpacingOfPoints) {
+  const TemporaryDirectory directory;
+  const std::string points =
+      directory.write("points.node", "5 2 0 0\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n5 1 1\n");
+  EXPECT_EQ(run_program({"audit", points}).exit_code, 3);
+  const auto by_nn = run_program({"audit", points, "--spacing", "nn", "--json", "-"});
+  EXPECT_EQ(by_nn.exit_code, 0) << by_nn.err;
+  for (const char* part :
+       {"\"gap_interior_lower\":", "\"gap\":", "\"witnesses\":{\"beta\":{\"centre\":[",
+        "\"theorems\":[{\"name\":\"2.4.2\",\"statement\":\"beta <= 2\",\"applies\":true"})
+    EXPECT_TRUE(contains(by_nn.out, part)) << part << "\n" << by_nn.out;
+  const std::string f = directory.write("f.txt", "1\n1\n1\n1\n1\n");
+  EXPECT_EQ(run_program({"audit", points, "--spacing", f, "--beta", "1.5", "--require",
+                         "beta_spaced", "--require", "gap<=1.1"})
+                .exit_code,
+            0);
+  const auto close =
+      run_program({"audit", points, "--spacing", f, "--beta", "1.4", "--require", "beta_spaced"});
+  EXPECT_EQ(close.exit_code, 1);
+  EXPECT_TRUE(contains(close.out, "theorem 2.5.1(1)")) << close.out;
+  EXPECT_EQ(run_program({"audit", points, "--spacing", f, "--require", "gap<=0.9"}).exit_code, 1);
+  const std::string domain = directory.write(
+      "domain.poly", "4 2 0 0\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  EXPECT_EQ(run_program({"audit", points, "--spacing", f, "--domain", domain}).exit_code, 0);
+  const std::string few = directory.write("few.txt", "1\n1\n");
+  EXPECT_EQ(run_program({"audit", points, "--spacing", few}).exit_code, 3);
+}
+
 TEST(AuditCommand, ReportsADirectoryWithoutLevels) {
   const TemporaryDirectory directory;
   EXPECT_EQ(run_program({"audit", directory / "."}).exit_code, 3);

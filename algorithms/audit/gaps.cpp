@@ -1,0 +1,249 @@
+#include "wellspaced/algorithms/audit/gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wellspaced/algorithms/audit/circumcentre.hpp"
+#include "wellspaced/algorithms/audit/shape_tools.hpp"
+
+namespace wellspaced::audit {
+namespace {
+
+constexpr double kDown = 1 - 0x1p-40, kUp = 1 + 0x1p-40;  // beyond what rounding may have done
+
+// Offers the gap of radius r around c in the direction of `towards`; the ball must be empty.
+template <std::size_t D>
+void offer_gap(const SpacingTree<D>& spacing, const Vec<D>& c, double r, const Vec<D>& towards,
+               GapBracket<D>& bracket) {
+  const Vec<D> direction = difference(towards, c);
+  const double length = norm(direction);
+  if (!(length > 0)) return;
+  const double radius = std::min(r, length) * kDown;
+  const Vec<D> x = step(c, radius / length, direction);
+  const double parameter = radius * kDown / spacing.at(x).value;
+  if (parameter > bracket.lower) {
+    bracket.lower = parameter;
+    bracket.centre = c;
+    bracket.at = x;
+  }
+}
+
+// No gap with its centre within e of c has a larger parameter; r: the radius of the gaps at c.
+template <std::size_t D>
+double largest_parameter(const SpacingTree<D>& spacing, const Vec<D>& c, double r, double e) {
+  return ratio((r + e) * kUp, spacing.least_within(c, (r + 2 * e) * kUp).value * kDown);
+}
+
+// ---- Voronoi vertices
+
+template <std::size_t D>
+struct Candidate {
+  Vec<D> centre;
+  double radius, error, upper;
+};
+
+template <std::size_t D>
+std::vector<Candidate<D>> voronoi_vertices(const SpacedPoints<D>& points) {
+  std::vector<Candidate<D>> candidates;
+  candidates.reserve(points.delaunay.size());
+  for (const auto& simplex : points.delaunay) {
+    std::array<Vec<D>, D + 1> corners;
+    for (std::size_t i = 0; i <= D; ++i) corners[i] = points.places[simplex[i]];
+    const auto [centre, error] = circumcentre<D>(corners);
+    double radius = kInfinity;
+    for (const auto& corner : corners) radius = std::min(radius, distance_of(centre, corner));
+    const bool known = std::isfinite(radius) && error < radius;
+    const double upper =
+        known ? largest_parameter(points.spacing, centre, radius, error) : kInfinity;
+    candidates.push_back({centre, radius, error, upper});
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const auto& a, const auto& b) { return a.upper > b.upper; });
+  return candidates;
+}
+
+// Whether a centre may lie in the domain, for all that is known about it.
+template <std::size_t D>
+bool may_be_inside(const BoundaryPieces<D>& boundary, const Candidate<D>& candidate) {
+  return boundary.contains(candidate.centre) ||
+         boundary.comes_near(candidate.centre, candidate.error);
+}
+
+// The gaps around a point of the domain: towards the points that make them small or close.
+template <std::size_t D>
+void offer_gaps_around(const SpacedPoints<D>& points, const Vec<D>& c, double r,
+                       GapBracket<D>& bracket) {
+  const auto offer = [&](Index q) {
+    const Vec<D>& towards = points.places[q];
+    const Vec<D> seen =
+        step(c, kDown * std::min(1.0, r / distance_of(towards, c)), difference(towards, c));
+    if (points.boundary.leaves_clear(c, seen)) offer_gap(points.spacing, c, r, towards, bracket);
+  };
+  offer(points.spacing.at(c).node);
+  offer(points.spacing.nearest(c).node);
+}
+
+// The largest upper bound is that of the first vertex inside; the lower ones of further vertices
+// matter until one comes close to it.
+template <std::size_t D>
+GapBracket<D> gap_at_vertices(const SpacedPoints<D>& points) {
+  GapBracket<D> bracket;
+  for (const Candidate<D>& candidate : voronoi_vertices(points)) {
+    if (candidate.upper <= bracket.lower) break;
+    if (bracket.upper > 0 && bracket.lower * (1 + points.tolerance) >= bracket.upper) break;
+    if (!may_be_inside(points.boundary, candidate)) continue;
+    bracket.upper = std::max(bracket.upper, candidate.upper);
+    if (points.boundary.contains(candidate.centre) && candidate.error < candidate.radius)
+      offer_gaps_around(points, candidate.centre, candidate.radius - candidate.error, bracket);
+  }
+  return bracket;
+}
+
+// ---- Search by halving
+
+// A part of simplex `of`; no gap with its centre in there has a larger parameter than `upper`.
+template <std::size_t D, std::size_t K>
+struct SearchCell {
+  std::array<Vec<D>, K> corners;
+  Index of;
+  double upper;
+};
+
+template <std::size_t D, std::size_t K>
+std::array<SearchCell<D, K>, 2> halves(const SearchCell<D, K>& cell) {
+  std::size_t a = 0, b = 1;
+  for (std::size_t i = 0; i < K; ++i)
+    for (std::size_t j = i + 1; j < K; ++j)
+      if (distance_of(cell.corners[i], cell.corners[j]) >
+          distance_of(cell.corners[a], cell.corners[b]))
+        a = i, b = j;
+  const Vec<D> middle = step(cell.corners[a], 0.5, difference(cell.corners[b], cell.corners[a]));
+  std::array<SearchCell<D, K>, 2> result{cell, cell};
+  result[0].corners[a] = middle;
+  result[1].corners[b] = middle;
+  return result;
+}
+
+// Looks for the largest gap that belongs to a place on one of the simplices. judge(simplex, place,
+// e, bracket) offers gaps there and returns what no gap within e of the place can exceed.
+template <std::size_t D, std::size_t K, class Judge>
+void search_gaps(std::span<const std::array<Vec<D>, K>> simplices, double tolerance, Judge judge,
+                 GapBracket<D>& bracket) {
+  using Cell = SearchCell<D, K>;
+  std::vector<Cell> heap;
+  const auto below = [](const Cell& a, const Cell& b) { return a.upper < b.upper; };
+  const auto add = [&](Cell cell) {
+    Vec<D> centre{};
+    for (const auto& corner : cell.corners) centre = step(centre, 1.0 / K, corner);
+    double e = 0;
+    for (const auto& corner : cell.corners) e = std::max(e, distance_of(centre, corner));
+    cell.upper = judge(cell.of, centre, e, bracket);
+    if (cell.upper <= bracket.lower) return;
+    heap.push_back(cell);
+    std::push_heap(heap.begin(), heap.end(), below);
+  };
+  for (Index s = 0; s < simplices.size(); ++s) add({simplices[s], s, 0});
+  std::size_t budget = 100000 + 50 * simplices.size();
+  const auto goal = [&] { return std::max(bracket.lower * (1 + tolerance), bracket.upper); };
+  while (!heap.empty() && heap.front().upper > goal() && budget-- > 0) {
+    std::pop_heap(heap.begin(), heap.end(), below);
+    const Cell cell = heap.back();
+    heap.pop_back();
+    for (const Cell& half : halves(cell)) add(half);
+  }
+  if (!heap.empty()) bracket.upper = std::max(bracket.upper, heap.front().upper);
+  bracket.upper = std::max(bracket.upper, bracket.lower);
+}
+
+// Judges centres by how large an empty ball around them is: radius_at(simplex, centre),
+// 1-Lipschitz. Gaps are offered towards the corners of the simplex, which hides none of itself.
+template <std::size_t D, class RadiusAt>
+void search_centres(const SpacedPoints<D>& points, RadiusAt radius_at, GapBracket<D>& bracket) {
+  std::vector<std::array<Vec<D>, D>> simplices;
+  for (Index s = 0; s < points.boundary.size(); ++s)
+    simplices.push_back(points.boundary.corners(s));
+  const auto judge = [&](Index s, const Vec<D>& centre, double e, GapBracket<D>& found) {
+    const double r = radius_at(s, centre);
+    const double upper = largest_parameter(points.spacing, centre, r, e);
+    if (upper > found.lower)
+      for (const auto& corner : simplices[s]) offer_gap(points.spacing, centre, r, corner, found);
+    return upper;
+  };
+  search_gaps<D, D>(simplices, points.tolerance, judge, bracket);
+}
+
+// The points on each piece of a boundary, ready to be asked for the nearest.
+class PointsOnPieces {
+ public:
+  PointsOnPieces(std::span<const Vec<3>> places, const BoundaryPieces<3>& boundary)
+      : boundary_(boundary), tree_of_(boundary.size(), kNoIndex) {
+    std::vector<std::array<Index, 2>> order;
+    for (Index s = 0; s < boundary.size(); ++s)
+      for (const Index v : boundary.nodes(s)) order.push_back({boundary.piece(s), v});
+    std::sort(order.begin(), order.end());
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
+      std::vector<Vec<3>> on_piece;
+      for (; end < order.size() && order[end][0] == order[i][0]; ++end)
+        on_piece.push_back(places[order[end][1]]);
+      tree_of_[order[i][0]] = static_cast<Index>(trees_.size());
+      trees_.emplace_back(on_piece, std::vector<double>(on_piece.size(), 0.0));
+    }
+  }
+
+  double distance(Index simplex, const Vec<3>& x) const {
+    return trees_[tree_of_[boundary_.piece(simplex)]].nearest(x).value;
+  }
+
+ private:
+  const BoundaryPieces<3>& boundary_;
+  std::vector<Index> tree_of_;
+  std::vector<SpacingTree<3>> trees_;
+};
+
+}  // namespace
+
+template <std::size_t D>
+GapBracket<D> interior_gap(const SpacedPoints<D>& points) {
+  GapBracket<D> bracket = gap_at_vertices(points);
+  search_centres(
+      points, [&](Index, const Vec<D>& c) { return points.spacing.nearest(c).value; }, bracket);
+  return bracket;
+}
+
+GapBracket<3> face_gap(const SpacedPoints<3>& points) {
+  GapBracket<3> bracket;
+  const PointsOnPieces on_pieces(points.places, points.boundary);
+  search_centres(
+      points, [&](Index s, const Vec<3>& c) { return on_pieces.distance(s, c); }, bracket);
+  return bracket;
+}
+
+// The largest gap at x on an edge reaches from x to the farther end.
+template <std::size_t D>
+GapBracket<D> segment_gap(const SpacedPoints<D>& points,
+                          std::span<const std::array<Index, 2>> edges) {
+  GapBracket<D> bracket;
+  std::vector<std::array<Vec<D>, 2>> segments;
+  for (const auto& [a, b] : edges) segments.push_back({points.places[a], points.places[b]});
+  const auto judge = [&](Index s, const Vec<D>& x, double e, GapBracket<D>& found) {
+    const auto& [a, b] = segments[s];
+    const Vec<D>& end = distance_of(x, a) > distance_of(x, b) ? a : b;
+    const double diameter = distance_of(x, end), f = points.spacing.at(x).value;
+    const double parameter = diameter / 2 * kDown / f;
+    if (parameter > found.lower) {
+      const Vec<D> centre = step(x, 0.5, difference(end, x));
+      found.lower = parameter, found.centre = centre, found.at = x;
+    }
+    return ratio((diameter + e) / 2 * kUp, f * kDown - e);
+  };
+  search_gaps<D, 2>(segments, points.tolerance, judge, bracket);
+  return bracket;
+}
+
+template GapBracket<2> interior_gap(const SpacedPoints<2>&);
+template GapBracket<3> interior_gap(const SpacedPoints<3>&);
+template GapBracket<2> segment_gap(const SpacedPoints<2>&, std::span<const std::array<Index, 2>>);
+template GapBracket<3> segment_gap(const SpacedPoints<3>&, std::span<const std::array<Index, 2>>);
+
+}  // namespace wellspaced::audit

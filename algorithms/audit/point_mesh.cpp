@@ -1,0 +1,78 @@
+#include "wellspaced/algorithms/audit/point_mesh.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "wellspaced/algorithms/audit/places.hpp"
+#include "wellspaced/kernel/delaunay3.hpp"
+#include "wellspaced/kernel/triangulate.hpp"
+
+namespace wellspaced::audit {
+namespace {
+
+// For each place the lowest number of a point there, or kNoIndex.
+std::vector<Index> numbers_of(std::span<const Point2> places, std::span<const Point2> points) {
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index i, Index j) { return before(points[i], points[j]); });
+  std::vector<Index> numbers;
+  for (const Point2 p : places) {
+    const auto at = std::partition_point(order.begin(), order.end(),
+                                         [&](Index i) { return before(points[i], p); });
+    numbers.push_back(at != order.end() && points[*at] == p ? *at : kNoIndex);
+  }
+  return numbers;
+}
+
+Result<Pslg> joined(std::span<const Point2> points, const Pslg& domain) {
+  const std::vector<Index> numbers = numbers_of(domain.points, points);
+  Error missing{ErrorCode::kInvalidGeometry, "points of the domain are not among the points", {}};
+  for (Index i = 0; i < numbers.size(); ++i)
+    if (numbers[i] == kNoIndex) missing.ids.push_back(i);
+  if (!missing.ids.empty()) return missing;
+  Pslg graph;
+  graph.points.assign(points.begin(), points.end());
+  graph.holes = domain.holes;
+  for (const Segment& s : domain.segments)
+    graph.segments.push_back({numbers[s.a], numbers[s.b], s.marker});
+  return graph;
+}
+
+}  // namespace
+
+Result<TriangleMesh> mesh_of_points(std::span<const Point2> points, const Pslg* domain) {
+  Pslg graph;
+  graph.points.assign(points.begin(), points.end());
+  TriangulateOptions options;
+  options.holes = HoleRule::kNone;
+  if (domain != nullptr) {
+    auto with_segments = joined(points, *domain);
+    if (!with_segments) return with_segments.error();
+    graph = std::move(*with_segments);
+    options.holes = domain->holes.empty() ? HoleRule::kParity : HoleRule::kSeeds;
+    options.crossings = CrossingRule::kRefuse;
+  }
+  const auto triangulation = triangulate(graph, options);
+  if (!triangulation) return triangulation.error();
+  TriangleMesh mesh;
+  mesh.points = std::move(graph.points);
+  mesh.triangles = triangulation->triangles();
+  mesh.segments = triangulation->segments;
+  return mesh;
+}
+
+Result<TetMesh> mesh_of_points(std::span<const Point3> points) {
+  const auto delaunay = Delaunay3::build(points);
+  if (!delaunay) return delaunay.error();
+  TetMesh mesh;
+  mesh.points.assign(points.begin(), points.end());
+  const Triangulation3& topology = delaunay->topology();
+  for (Index t = 0; t < topology.size(); ++t)
+    if (!topology.is_ghost(t)) mesh.tets.push_back(topology.vertices(t));
+  return mesh;
+}
+
+}  // namespace wellspaced::audit

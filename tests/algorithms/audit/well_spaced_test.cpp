@@ -1,0 +1,391 @@
+#include "wellspaced/algorithms/audit/well_spaced.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tests/support/audit_meshes.hpp"
+#include "tests/support/audit_tet_meshes.hpp"
+#include "tests/support/mutation.hpp"
+#include "wellspaced/algorithms/audit/requirement.hpp"
+#include "wellspaced/algorithms/audit/vectors.hpp"
+#include "wellspaced/algorithms/generate/grid.hpp"
+#include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/predicates.hpp"
+
+namespace wellspaced {
+namespace {
+
+using audit::Vec;
+
+template <class Mesh>
+audit::Report spacing_of(const Mesh& mesh, const audit::SpacingAuditOptions& options = {}) {
+  audit::Report report;
+  audit::audit_spacing(mesh, options, report);
+  return report;
+}
+
+double measured(const audit::Report& report, const std::string& name) {
+  const auto* measure = report.measure(name);
+  EXPECT_NE(measure, nullptr) << name;
+  return measure == nullptr ? NAN : measure->value;
+}
+
+const audit::Witness& witness(const audit::Report& report, const std::string& name) {
+  return *std::find_if(report.witnesses.begin(), report.witnesses.end(),
+                       [&](const auto& w) { return w.name == name; });
+}
+
+void expect_bracket(const audit::Report& report, const std::string& name, double value) {
+  EXPECT_LE(measured(report, name + "_lower"), value * (1 + 1e-9)) << name;
+  EXPECT_GE(measured(report, name + "_upper"), value * (1 - 1e-9)) << name;
+  EXPECT_LE(measured(report, name + "_upper"),
+            1.05 * measured(report, name + "_lower") * (1 + 1e-9))
+      << name;
+}
+
+bool everywhere(Index, Index, Index) { return true; }
+
+// ---- Point sets whose figures are known
+
+TEST(WellSpaced, ASquareGridHasTheFiguresOfItsCells) {
+  const auto mesh = generate_grid({.nx = 9, .ny = 7}).value();
+  const auto report = spacing_of(mesh);
+  EXPECT_DOUBLE_EQ(measured(report, "beta"), 2);
+  EXPECT_DOUBLE_EQ(measured(report, "boundary_distance"), 1);
+  EXPECT_EQ(measured(report, "spacing_to_nn_min"), 1);
+  expect_bracket(report, "gap_interior", std::sqrt(0.5));
+  expect_bracket(report, "gap_segment", 0.5);
+  EXPECT_TRUE(report.check("lipschitz")->pass());
+  EXPECT_TRUE(report.check("gaps_certified")->pass());
+  EXPECT_TRUE(report.check("well_spaced")->pass());
+}
+
+TEST(WellSpaced, ACubicGridHasTheFiguresOfItsCells) {
+  const auto report = spacing_of(test::cubes(4, 3, 3, everywhere));
+  EXPECT_DOUBLE_EQ(measured(report, "beta"), 2);
+  EXPECT_DOUBLE_EQ(measured(report, "boundary_distance"), 1);
+  expect_bracket(report, "gap_interior", std::sqrt(0.75));
+  expect_bracket(report, "gap_face", std::sqrt(0.5));
+  expect_bracket(report, "gap_segment", 0.5);
+  EXPECT_TRUE(report.check("gaps_certified")->pass());
+}
+
+// Rows shifted by half a step: the hexagonal lattice, whose largest empty circles have radius
+// 1/sqrt 3; erratum of Theorem 2.5.1.
+TEST(WellSpaced, TheHexagonalLatticeHasGapsOfOneBySquareRootOfThree) {
+  TriangleMesh mesh;
+  const Index n = 8;
+  const double height = std::sqrt(0.75);
+  for (Index j = 0; j <= n; ++j)
+    for (Index i = 0; i <= n; ++i) mesh.points.push_back({i + 0.5 * j, height * j});
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const Index v = j * (n + 1) + i;
+      mesh.triangles.push_back({v, v + 1, v + n + 1});
+      mesh.triangles.push_back({v + 1, v + n + 2, v + n + 1});
+    }
+  const auto report = spacing_of(mesh);
+  expect_bracket(report, "gap_interior", 1 / std::sqrt(3));
+  EXPECT_NEAR(measured(report, "boundary_distance"), height, 1e-12);
+}
+
+TEST(WellSpaced, FiguresDoNotDependOnTheScale) {
+  const TriangleMesh mesh = test::random_mesh(60, 1);
+  const auto as_given = spacing_of(mesh);
+  for (const double factor : {0x1p300, 0x1p-300}) {
+    TriangleMesh scaled = mesh;
+    for (Point2& p : scaled.points) p = {p.x * factor, p.y * factor};
+    const auto report = spacing_of(scaled);
+    for (const char* name : {"beta", "gap_interior_lower", "gap_interior_upper",
+                             "gap_segment_upper", "boundary_distance"})
+      EXPECT_NEAR(measured(report, name), measured(as_given, name), 1e-9) << name;
+  }
+}
+
+// ---- Against sampling
+
+// f, d and gaps by looking at all points, and visibility by looking at all boundary edges.
+struct Sampler {
+  const TriangleMesh mesh;
+  std::vector<double> f;
+
+  double spacing_at(Point2 x) const {
+    double least = INFINITY;
+    for (Index v = 0; v < f.size(); ++v)
+      least = std::min(least, f[v] + std::hypot(x.x - mesh.points[v].x, x.y - mesh.points[v].y));
+    return least;
+  }
+  double distance_at(Point2 x) const {
+    double least = INFINITY;
+    for (const Point2 p : mesh.points) least = std::min(least, std::hypot(x.x - p.x, x.y - p.y));
+    return least;
+  }
+  bool contains(Point2 x) const {
+    return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+      const auto& p = mesh.points;
+      return orient2d(p[t[0]], p[t[1]], x) >= 0 && orient2d(p[t[1]], p[t[2]], x) >= 0 &&
+             orient2d(p[t[2]], p[t[0]], x) >= 0;
+    });
+  }
+  bool sees(Point2 a, Point2 b) const {
+    for (int i = 0; i <= 20; ++i)
+      if (!contains({a.x + (b.x - a.x) * i / 20, a.y + (b.y - a.y) * i / 20})) return false;
+    return true;
+  }
+  // The largest parameter of gaps around c in 48 directions, for balls as large as can be.
+  double gap_around(Point2 c) const {
+    const double r = distance_at(c);
+    double largest = 0;
+    for (int i = 0; i < 48; ++i) {
+      const Point2 u = circle_point(i / 48.0), x{c.x + r * u.x, c.y + r * u.y};
+      const double parameter = r / spacing_at(x);
+      if (parameter > largest && sees(c, x)) largest = parameter;
+    }
+    return largest;
+  }
+};
+
+double sampled_gap(const Sampler& sampler, int steps) {
+  Point2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const Point2 p : sampler.mesh.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  double largest = 0;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= steps; ++j) {
+      const Point2 c{low.x + (high.x - low.x) * i / steps, low.y + (high.y - low.y) * j / steps};
+      if (sampler.contains(c)) largest = std::max(largest, sampler.gap_around(c));
+    }
+  return largest;
+}
+
+std::vector<double> nearest_distances(const TriangleMesh& mesh) {
+  std::vector<double> f;
+  for (const Point2 p : mesh.points) {
+    double least = INFINITY;
+    for (const Point2 q : mesh.points)
+      if (!(p == q)) least = std::min(least, std::hypot(p.x - q.x, p.y - q.y));
+    f.push_back(least);
+  }
+  return f;
+}
+
+TEST(WellSpaced, BracketsHoldWhatSamplingFinds) {
+  for (const auto& [name, mesh] : test::clean_meshes()) {
+    if (mesh.points.size() > 110) continue;
+    for (const double stretch : {1.0, 0.3}) {
+      std::vector<double> f = nearest_distances(mesh);
+      for (double& value : f) value *= stretch;
+      audit::SpacingAuditOptions options;
+      options.spacing = f;
+      const auto report = spacing_of(mesh, options);
+      const double sampled = sampled_gap({mesh, f}, 40);
+      EXPECT_LE(sampled, measured(report, "gap_interior_upper")) << name << " " << stretch;
+      EXPECT_GE(measured(report, "gap_interior_lower"), 0.95 * sampled) << name << " " << stretch;
+      EXPECT_LE(measured(report, "gap_interior_upper"),
+                1.06 * measured(report, "gap_interior_lower"))
+          << name << " " << stretch;
+    }
+  }
+}
+
+TEST(WellSpaced, TheWitnessOfAGapIsAGap) {
+  for (const auto& [name, mesh] : test::clean_meshes()) {
+    if (mesh.points.size() > 2000) continue;
+    const Sampler sampler{mesh, nearest_distances(mesh)};
+    const auto report = spacing_of(mesh);
+    const auto& gap = witness(report, "gap_interior");
+    const Point2 c{gap.centre[0], gap.centre[1]}, x{gap.at[0], gap.at[1]};
+    const double radius = std::hypot(c.x - x.x, c.y - x.y);
+    EXPECT_LE(radius, sampler.distance_at(c)) << name;
+    EXPECT_TRUE(sampler.sees(c, x)) << name;
+    EXPECT_NEAR(radius / sampler.spacing_at(x), measured(report, "gap_interior_lower"), 1e-9)
+        << name;
+  }
+}
+
+TEST(WellSpaced, BetaIsTheWorstOfAllPairs) {
+  for (const auto& [name, mesh] : test::clean_meshes()) {
+    if (mesh.points.size() > 2000) continue;
+    const auto f = nearest_distances(mesh);
+    double worst = 0;
+    for (Index i = 0; i < f.size(); ++i)
+      for (Index j = 0; j < i; ++j) {
+        const Point2 p = mesh.points[i], q = mesh.points[j];
+        if (!(p == q)) worst = std::max(worst, (f[i] + f[j]) / std::hypot(p.x - q.x, p.y - q.y));
+      }
+    EXPECT_NEAR(measured(spacing_of(mesh), "beta"), worst, 1e-12) << name;
+  }
+}
+
+// ---- In space, against sampling
+
+TEST(WellSpaced, BracketsInSpaceHoldWhatSamplingFinds) {
+  const TetMesh mesh = test::random_tet_mesh(60, 5);
+  const auto report = spacing_of(mesh);
+  EXPECT_TRUE(report.check("gaps_certified")->pass());
+  const auto at = [&](Index v) { return audit::coordinates_of(mesh.points[v]); };
+  std::vector<double> f(mesh.points.size(), INFINITY);
+  for (Index v = 0; v < f.size(); ++v)
+    for (Index w = 0; w < f.size(); ++w)
+      if (v != w) f[v] = std::min(f[v], audit::distance_of(at(v), at(w)));
+  Random random(1);
+  double sampled = 0;
+  for (int i = 0; i < 4000; ++i) {  // gaps inside one tet see all of it
+    const auto& t = mesh.tets[random.below(mesh.tets.size())];
+    Vec<3> c{}, weights;
+    std::array<double, 4> w{};
+    double sum = 0;
+    for (double& value : w) sum += value = random.uniform();
+    for (int k = 0; k < 4; ++k) c = audit::step(c, w[k] / sum, at(t[k]));
+    double d = INFINITY;
+    for (Index v = 0; v < f.size(); ++v) d = std::min(d, audit::distance_of(c, at(v)));
+    for (const Index v : t) {
+      const auto direction = audit::difference(at(v), c);
+      const auto x = audit::step(c, d / audit::norm(direction), direction);
+      double value = INFINITY;
+      for (Index u = 0; u < f.size(); ++u)
+        value = std::min(value, f[u] + audit::distance_of(x, at(u)));
+      sampled = std::max(sampled, d / value);
+    }
+    static_cast<void>(weights);
+  }
+  EXPECT_LE(sampled, measured(report, "gap_interior_upper"));
+  EXPECT_LE(measured(report, "gap_interior_upper"), 1.06 * measured(report, "gap_interior_lower"));
+  EXPECT_GE(measured(report, "gap_interior_lower"), 0.9 * sampled);
+}
+
+// ---- Mutations
+
+struct Spaced {
+  TriangleMesh mesh;
+  std::vector<double> spacing;
+  double beta, gap, boundary_distance;
+};
+
+// What is claimed is what is measured, and a hair more.
+Spaced claim(const TriangleMesh& mesh) {
+  Spaced spaced{mesh, nearest_distances(mesh), 0, 0, 0};
+  audit::SpacingAuditOptions options;
+  options.spacing = spaced.spacing;
+  const auto report = spacing_of(mesh, options);
+  spaced.beta = measured(report, "beta") * (1 + 1e-13);
+  spaced.gap = measured(report, "gap") * 1.01;
+  spaced.boundary_distance = measured(report, "boundary_distance") * (1 - 1e-13);
+  return spaced;
+}
+
+audit::Report audit_claims(const Spaced& spaced) {
+  audit::SpacingAuditOptions options;
+  options.spacing = spaced.spacing;
+  options.beta = spaced.beta;
+  audit::Report report = spacing_of(spaced.mesh, options);
+  using Relation = audit::Requirement::Relation;
+  audit::Requirement gap{"bounded_gaps", "gap", Relation::kAtMost, spaced.gap};
+  audit::Requirement far{"far_from_boundary", "boundary_distance", Relation::kAtLeast,
+                         spaced.boundary_distance};
+  if (report.measure("gap") != nullptr) {
+    EXPECT_TRUE(audit::require(gap, report).ok());
+    EXPECT_TRUE(audit::require(far, report).ok());
+  }
+  return report;
+}
+
+std::vector<Index> inner_nodes(const TriangleMesh& mesh) {
+  std::vector<std::uint8_t> outer(mesh.points.size(), 0);
+  for (const Segment& s : mesh.segments) outer[s.a] = outer[s.b] = 1;
+  std::vector<Index> inner;
+  for (Index v = 0; v < outer.size(); ++v)
+    if (outer[v] == 0) inner.push_back(v);
+  return inner;
+}
+
+// Moves the node of a pair that is as close as beta allows closer by 1e-12.
+bool break_beta(Spaced& spaced, Random&) {
+  const auto report = audit_claims(spaced);
+  const auto& pair = witness(report, "beta");
+  const Point2 p{pair.centre[0], pair.centre[1]}, q{pair.at[0], pair.at[1]};
+  for (Point2& x : spaced.mesh.points)
+    if (x == p) x = {x.x + (q.x - p.x) * 1e-12, x.y + (q.y - p.y) * 1e-12};
+  return true;
+}
+
+// Takes the points out of larger and larger balls around an inner node until the gap there exceeds
+// what is claimed, as seen from the nearest point left. They move onto a node of the boundary, with
+// a value that says nothing.
+bool empty_a_ball(Spaced& spaced, Random& random) {
+  const auto inner = inner_nodes(spaced.mesh);
+  if (inner.empty()) return false;
+  const Sampler domain{spaced.mesh, {}};
+  const auto points = spaced.mesh.points;
+  const Point2 c = points[inner[random.below(inner.size())]];
+  std::vector<std::pair<double, Index>> order;
+  for (Index v = 0; v < points.size(); ++v)
+    order.push_back({std::hypot(points[v].x - c.x, points[v].y - c.y), v});
+  std::sort(order.begin(), order.end());
+  const Index refuge = spaced.mesh.segments[0].a;
+  for (const auto& [distance, v] : order) {
+    if (distance / spaced.spacing[v] > spaced.gap * 1.1 && domain.sees(c, points[v])) break;
+    if (std::find(inner.begin(), inner.end(), v) == inner.end()) return false;
+    spaced.mesh.points[v] = points[refuge];
+    spaced.spacing[v] = 1e9;
+  }
+  return true;
+}
+
+bool raise_a_value(Spaced& spaced, Random& random) {
+  const auto v = random.below(spaced.spacing.size());
+  double least = INFINITY;
+  for (Index w = 0; w < spaced.spacing.size(); ++w) {
+    const Point2 p = spaced.mesh.points[v], q = spaced.mesh.points[w];
+    if (!(p == q)) least = std::min(least, spaced.spacing[w] + std::hypot(p.x - q.x, p.y - q.y));
+    if (w != v && p == q) return false;
+  }
+  spaced.spacing[v] = least * (1 + 1e-12);
+  return true;
+}
+
+// An inner node goes to within a hundredth of its spacing of the boundary.
+bool push_to_the_boundary(Spaced& spaced, Random& random) {
+  const auto inner = inner_nodes(spaced.mesh);
+  if (inner.empty()) return false;
+  const Index v = inner[random.below(inner.size())];
+  const Segment& s = spaced.mesh.segments[random.below(spaced.mesh.segments.size())];
+  const Point2 a = spaced.mesh.points[s.a], b = spaced.mesh.points[s.b];
+  const double h = 0.01 * std::hypot(a.x - b.x, a.y - b.y);
+  spaced.mesh.points[v] = {(a.x + b.x) / 2 + h, (a.y + b.y) / 2 + h};
+  return 1.5 * h < spaced.boundary_distance * spaced.spacing[v];
+}
+
+bool lose_a_value(Spaced& spaced, Random& random) {
+  spaced.spacing[random.below(spaced.spacing.size())] = random.below(2) == 0 ? 0.0 : NAN;
+  return true;
+}
+
+TEST(SpacingMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
+  test::MutationTest<Spaced> table(audit_claims, {});
+  for (const auto& [name, mesh] : test::clean_meshes())
+    if (mesh.points.size() < 200) table.add_clean(name, claim(mesh), 5);
+  table.run({{"node displaced to break beta by 1e-12",
+              break_beta,
+              {"beta_spaced"},
+              {"far_from_boundary", "lipschitz", "well_spaced"}},
+             {"ball emptied", empty_a_ball, {"bounded_gaps"}, {"beta_spaced"}},
+             {"value raised to break Lipschitz by 1e-12",
+              raise_a_value,
+              {"lipschitz", "well_spaced"},
+              {"beta_spaced", "far_from_boundary"}},
+             {"node pushed to the boundary",
+              push_to_the_boundary,
+              {"far_from_boundary"},
+              {"beta_spaced", "lipschitz", "well_spaced", "bounded_gaps"}},
+             {"value that is no spacing", lose_a_value, {"spacing_positive"}, {}}},
+            10);
+}
+
+}  // namespace
+}  // namespace wellspaced
