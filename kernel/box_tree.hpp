@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
@@ -30,6 +31,12 @@ struct Box2 {
            other.low.y <= high.y;
   }
 };
+
+/// The distance of x from the nearest point of a box.
+inline double distance_to_box(const Box2& box, Point2 x) {
+  return distance(x,
+                  {std::clamp(x.x, box.low.x, box.high.x), std::clamp(x.y, box.low.y, box.high.y)});
+}
 
 /// Boxes sorted into a complete binary tree of blocks by alternate halving; every node of the tree
 /// keeps the box around those below it.

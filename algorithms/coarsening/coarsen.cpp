@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "wellspaced/algorithms/coarsening/boundary_description.hpp"
+#include "wellspaced/algorithms/coarsening/quadtree_sequence.hpp"
 #include "wellspaced/algorithms/coarsening/schemes.hpp"
 #include "wellspaced/algorithms/coarsening/skeleton.hpp"
 #include "wellspaced/algorithms/coarsening/source_mesh.hpp"
@@ -70,6 +71,13 @@ Status check_options(const CoarseningOptions& options, std::size_t nodes) {
     return usage("the protection ratio must be a finite number, 0 or more");
   if (options.method == CoarseningMethod::kMis && options.scheme != CoarseningScheme::kFineToCoarse)
     return usage("MIS-based levels are selected from the level before: fine to coarse alone");
+  if (options.method == CoarseningMethod::kQuadtree &&
+      (options.scheme != CoarseningScheme::kCoarseToFine ||
+       options.metric != SpacingMetric::kEuclidean || options.limit_by_boundary ||
+       options.order != SelectionOrder::kRandom))
+    return usage(
+        "levels by quadtree are selected coarse to fine, in the Euclidean metric and the tree's "
+        "order, without regard to the boundary's local feature size");
   if (Status status = check_values("spacing", options.spacing, nodes); !status) return status;
   if (Status status = check_values("priority", options.priority, nodes); !status) return status;
   if (options.spacing)
@@ -141,11 +149,13 @@ double protection_ratio(const CoarseningOptions& options) {
 CoarseningOptions theorem_options(CoarseningMethod method) {
   CoarseningOptions options;
   options.method = method;
-  const bool uniform = method == CoarseningMethod::kQuasiUniform;
-  if (!uniform && method != CoarseningMethod::kThreshold) return options;
+  if (method == CoarseningMethod::kFunction || method == CoarseningMethod::kMis) return options;
   options.metric = SpacingMetric::kEuclidean;
-  options.beta = uniform ? 2 : 16;
-  options.factor = uniform ? 3 : 24;
+  options.beta = method == CoarseningMethod::kThreshold ? 16 : 2;
+  options.factor = method == CoarseningMethod::kThreshold      ? 24
+                   : method == CoarseningMethod::kQuasiUniform ? 3
+                                                               : 2;
+  if (method == CoarseningMethod::kQuadtree) options.scheme = CoarseningScheme::kCoarseToFine;
   return options;
 }
 
@@ -164,6 +174,8 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
     limit = std::move(*lfs);
   }
   Level finest = finest_level(std::move(mesh), skeleton.graph, options);
+  if (options.method == CoarseningMethod::kQuadtree)
+    return coarsen_by_quadtree(std::move(finest), skeleton.boundary, options);
   return build_levels(std::move(finest), std::move(skeleton), limit, options);
 }
 

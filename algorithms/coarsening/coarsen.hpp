@@ -16,10 +16,12 @@ namespace wellspaced {
 /// How the nodes of a level are chosen: spaced by a function, or as a maximal independent set of
 /// the mesh's edges.
 enum class CoarseningMethod {
-  kFunction,     ///< by the coarsening function f_{g,C,P} (chapters 5 and 7)
-  kMis,          ///< section 5.2.1; fine to coarse alone
-  kThreshold,    ///< by the threshold function t_{g,C,P} (section 6.3)
-  kQuasiUniform  ///< by one spacing for all nodes, C times the least of g (section 6.2)
+  kFunction,      ///< by the coarsening function f_{g,C,P} (chapters 5 and 7)
+  kMis,           ///< section 5.2.1; fine to coarse alone
+  kThreshold,     ///< by the threshold function t_{g,C,P} (section 6.3)
+  kQuasiUniform,  ///< by one spacing for all nodes, C times the least of g (section 6.2)
+  kQuadtree       ///< by the function of a quadtree, in linear time (section 5.8); coarse to fine
+                  ///< and Euclidean alone, in the tree's order. See coarsen_by_quadtree.
 };
 
 /// What each level is selected from (section 5.3.4).
@@ -81,7 +83,8 @@ double protection_ratio(const CoarseningOptions& options);
 /// The options of section 6: its theorems' constants, fine to coarse, Euclidean. kThreshold: C 24
 /// and beta 16, which Theorem 6.3.3 (corrected) asks for where the input's gaps are bounded by
 /// L = 2; otherwise beta must be at least max(8 L, 13 + 6 / L). kQuasiUniform: C 3, beta 2.
-/// For the other methods the defaults above.
+/// kQuadtree, which has no such constants: C 2 and beta 2, coarse to fine; there boxes are twice as
+/// wide as nodes are apart. For the other methods the defaults above.
 CoarseningOptions theorem_options(CoarseningMethod method);
 
 /// The coarsening sequence of a mesh, finest level first. Each level is the constrained Delaunay

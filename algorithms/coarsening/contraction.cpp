@@ -32,6 +32,18 @@ std::vector<ContractedEdge> contract_boundary(const Boundary& boundary,
   return edges;
 }
 
+std::vector<ConstrainedEdge> constrained_edges(const Boundary& boundary,
+                                               std::span<const ContractedEdge> edges,
+                                               std::span<const Index> number) {
+  std::vector<ConstrainedEdge> result;
+  for (const ContractedEdge& edge : edges) {
+    const bool is_domain = boundary.curves[edge.curve].kind == BoundaryCurve::Kind::kDomain;
+    result.push_back({number[edge.a], number[edge.b], edge.marker,
+                      is_domain ? ConstrainedEdge::Kind::kDomain : ConstrainedEdge::Kind::kInner});
+  }
+  return result;
+}
+
 std::vector<Point2> chain_points(const Boundary& boundary, std::span<const Point2> points,
                                  const ContractedEdge& edge) {
   std::vector<Point2> chain;

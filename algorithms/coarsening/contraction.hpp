@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
+#include "wellspaced/algorithms/coarsening/level_triangulation.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
@@ -27,6 +28,12 @@ struct ContractedEdge {
 std::vector<ContractedEdge> contract_boundary(const Boundary& boundary,
                                               std::span<const Point2> points,
                                               std::span<const std::uint8_t> survives);
+
+/// The edges as constraints of the triangulation of their ends. number: for each node its number
+/// there.
+std::vector<ConstrainedEdge> constrained_edges(const Boundary& boundary,
+                                               std::span<const ContractedEdge> edges,
+                                               std::span<const Index> number);
 
 /// The points along the chain that an edge replaces, its ends included.
 std::vector<Point2> chain_points(const Boundary& boundary, std::span<const Point2> points,

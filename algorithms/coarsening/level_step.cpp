@@ -96,18 +96,6 @@ std::vector<Index> numbering(std::span<const Index> parent, std::size_t finer_no
   return number;
 }
 
-std::vector<ConstrainedEdge> constraints(const Boundary& boundary,
-                                         std::span<const ContractedEdge> edges,
-                                         std::span<const Index> number) {
-  std::vector<ConstrainedEdge> result;
-  for (const ContractedEdge& edge : edges) {
-    const bool is_domain = boundary.curves[edge.curve].kind == BoundaryCurve::Kind::kDomain;
-    result.push_back({number[edge.a], number[edge.b], edge.marker,
-                      is_domain ? ConstrainedEdge::Kind::kDomain : ConstrainedEdge::Kind::kInner});
-  }
-  return result;
-}
-
 // The parts of the finer level that its nodes `parent` take with them.
 Level inherit(const Level& finer, std::vector<Index> parent, std::span<const Index> number) {
   Level level;
@@ -179,8 +167,8 @@ Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest
   step.level.reinstated = reinstated;
   step.level.dropped_outside = dropped;
 
-  auto triangulation =
-      triangulate_domain(step.level.mesh.points, constraints(boundary, contracted.edges(), number));
+  auto triangulation = triangulate_domain(step.level.mesh.points,
+                                          constrained_edges(boundary, contracted.edges(), number));
   if (!triangulation) return triangulation.error();
   step.level.mesh.triangles = std::move(triangulation->triangles);
   step.level.mesh.segments = std::move(triangulation->segments);

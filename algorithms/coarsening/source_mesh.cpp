@@ -50,7 +50,8 @@ std::vector<double> without_limit(const SourceMesh& source, double factor,
 }  // namespace
 
 bool uses_visibility(const CoarseningOptions& options) {
-  return options.method != CoarseningMethod::kMis && options.metric != SpacingMetric::kGraph;
+  return options.method != CoarseningMethod::kMis &&
+         options.method != CoarseningMethod::kQuadtree && options.metric != SpacingMetric::kGraph;
 }
 
 SourceMesh source_mesh(const Level& level, Skeleton skeleton, std::span<const double> limit,

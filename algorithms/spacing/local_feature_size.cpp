@@ -37,11 +37,6 @@ class IncidentFeatures {
   std::size_t size_ = 0;
 };
 
-double distance_to_box(const Box2& box, Point2 x) {
-  return distance(x,
-                  {std::clamp(x.x, box.low.x, box.high.x), std::clamp(x.y, box.low.y, box.high.y)});
-}
-
 // What the search has before it: a node of the tree with its features, or one feature (node 0 is
 // never a child).
 struct Pending {

@@ -5,15 +5,6 @@
 #include "wellspaced/kernel/distance.hpp"
 
 namespace wellspaced {
-namespace {
-
-double distance_to_box(Point2 x, const Box2& box) {
-  return distance(x,
-                  {std::clamp(x.x, box.low.x, box.high.x), std::clamp(x.y, box.low.y, box.high.y)});
-}
-
-}  // namespace
-
 LeafSpacing::Leaf LeafSpacing::leaf_of(const Quadtree& tree, Index leaf) {
   return {tree.side_at(tree.depth(leaf) + 1), tree.center(leaf), tree.box(leaf)};
 }
@@ -35,7 +26,7 @@ double LeafSpacing::envelope_value(Point2 x) const {
   double value = own_.half_side;
   for (const Leaf& leaf : around_)
     if (leaf.half_side < value)
-      value = std::min(value, leaf.half_side + distance_to_box(x, leaf.box));
+      value = std::min(value, leaf.half_side + distance_to_box(leaf.box, x));
   return value;
 }
 

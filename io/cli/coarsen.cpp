@@ -27,6 +27,7 @@ struct Request {
   CoarseningOptions options;  // what all methods share
   std::vector<CoarseningMethod> methods;
   std::optional<double> beta, factor;  // given ones; otherwise each method has its own
+  std::optional<CoarseningScheme> scheme;
   std::optional<SpacingMetric> metric;
   Statistics statistics = Statistics::kBasic;
 };
@@ -71,7 +72,8 @@ struct Run {
 // ---- The request
 
 constexpr std::array kMethods = {CoarseningMethod::kFunction, CoarseningMethod::kMis,
-                                 CoarseningMethod::kThreshold, CoarseningMethod::kQuasiUniform};
+                                 CoarseningMethod::kThreshold, CoarseningMethod::kQuasiUniform,
+                                 CoarseningMethod::kQuadtree};
 
 // One method, or several separated by commas.
 std::vector<CoarseningMethod> read_methods(Arguments& arguments) {
@@ -86,9 +88,10 @@ std::vector<CoarseningMethod> read_methods(Arguments& arguments) {
       methods.push_back(*found);
       continue;
     }
-    arguments.refuse("--method", in_quotes(text) +
-                                     " should be function, mis, threshold or quasi-uniform, or " +
-                                     "several of them, each once, separated by commas");
+    arguments.refuse("--method",
+                     in_quotes(text) +
+                         " should be function, mis, threshold, quasi-uniform or quadtree, or " +
+                         "several of them, each once, separated by commas");
     break;
   }
   return methods;
@@ -98,8 +101,9 @@ Request read_request(Arguments& arguments, std::uint64_t seed) {
   Request request;
   CoarseningOptions& options = request.options;
   arguments.choice("--profile", 0, {"thesis"});
-  options.scheme = static_cast<CoarseningScheme>(
-      arguments.choice("--scheme", 0, {"fine-to-coarse", "from-finest", "coarse-to-fine"}));
+  if (arguments.has("--scheme"))
+    request.scheme = static_cast<CoarseningScheme>(
+        arguments.choice("--scheme", 0, {"fine-to-coarse", "from-finest", "coarse-to-fine"}));
   if (arguments.has("--metric"))
     request.metric = static_cast<SpacingMetric>(
         arguments.choice("--metric", 0, {"graph", "euclidean", "geodesic"}));
@@ -176,6 +180,7 @@ CoarseningOptions options_of(const Request& request, CoarseningMethod method) {
   options.method = method;
   options.beta = request.beta.value_or(usual.beta);
   options.factor = request.factor.value_or(usual.factor);
+  options.scheme = request.scheme.value_or(usual.scheme);
   options.metric = request.metric.value_or(usual.metric);
   return options;
 }
@@ -404,14 +409,17 @@ Result<int> run(Arguments& arguments, Session& session) {
 constexpr std::array kOptions = {
     Option{"--profile", "thesis", "the recipe that what is not given is taken from"},
     Option{"--method", "NAME,...",
-           "function (default), mis, threshold, quasi-uniform; several: side by side"},
+           "function (default), mis, threshold, quasi-uniform, quadtree; several: side by side"},
     Option{"--scheme", "NAME",
            "fine-to-coarse: each level out of the one before (default); from-finest: out of the "
            "input; coarse-to-fine: out of the input, nested"},
     Option{"--metric", "NAME",
            "distances: graph (along edges), euclidean, geodesic (inside the domain)"},
-    Option{"--beta", "X", "spacing constant, more than 1 (25; threshold: 16, quasi-uniform: 2)"},
-    Option{"--factor", "X", "growth of the spacing from level to level, more than 1 (8; 24; 3)"},
+    Option{"--beta", "X",
+           "spacing constant, more than 1 (25; threshold: 16, quasi-uniform and quadtree: 2)"},
+    Option{"--factor", "X",
+           "growth of the spacing from level to level, more than 1 (8; threshold: 24, "
+           "quasi-uniform: 3, quadtree: 2, the next power of 2 is taken)"},
     Option{"--protect", "R", "distance that nodes keep from boundary edges (0.2; mis: 0.15)"},
     Option{"--order", "NAME",
            "of nodes within a level: random, by --seed; priority: largest spacing first"},

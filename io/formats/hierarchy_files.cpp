@@ -67,6 +67,8 @@ std::string_view name_of(CoarseningMethod method) {
       return "threshold";
     case CoarseningMethod::kQuasiUniform:
       return "quasi-uniform";
+    case CoarseningMethod::kQuadtree:
+      return "quadtree";
   }
   return "";
 }

@@ -198,7 +198,9 @@ RandomCase random_case(std::uint64_t seed) {
   if (random.below(3) == 0)
     for (const auto& t : c.mesh.triangles)
       if (random.below(6) == 0) c.mesh.segments.push_back({t[0], t[1], 2});
-  c.options.method = random.below(2) == 0 ? CoarseningMethod::kFunction : CoarseningMethod::kMis;
+  constexpr CoarseningMethod kMethods[] = {CoarseningMethod::kFunction, CoarseningMethod::kMis,
+                                           CoarseningMethod::kQuadtree};
+  c.options = theorem_options(kMethods[random.below(3)]);
   c.options.beta = random.uniform(1.1, 26);
   c.options.factor = random.uniform(1.5, 11);
   c.options.seed = seed;

@@ -16,7 +16,9 @@ struct Case {
 std::string name_of(const testing::TestParamInfo<Case>& info) {
   const std::string path = info.param.mesh;
   return path.substr(path.find('/') + 1) +
-         (info.param.method == CoarseningMethod::kMis ? "_mis" : "_function");
+         (info.param.method == CoarseningMethod::kQuadtree ? "_quadtree"
+          : info.param.method == CoarseningMethod::kMis    ? "_mis"
+                                                           : "_function");
 }
 
 class RealMeshes : public testing::TestWithParam<Case> {};
@@ -44,8 +46,7 @@ TEST_P(RealMeshes, KeepTheirHolesAndComponentsToTheEnd) {
   if (!mesh) GTEST_SKIP() << "no " << test::data_path(GetParam().mesh);
   const test::MeshShape shape = test::MeshChecker(*mesh).shape();
   for (const std::uint64_t seed : {1, 2, 3}) {
-    CoarseningOptions options;
-    options.method = GetParam().method;
+    CoarseningOptions options = theorem_options(GetParam().method);
     options.seed = seed;
     const auto hierarchy = coarsen(*mesh, options);
     ASSERT_TRUE(hierarchy.ok()) << hierarchy.error().message;
@@ -58,20 +59,23 @@ TEST_P(RealMeshes, KeepTheirHolesAndComponentsToTheEnd) {
   }
 }
 
-constexpr CoarseningMethod kFunction = CoarseningMethod::kFunction, kMis = CoarseningMethod::kMis;
+constexpr CoarseningMethod kFunction = CoarseningMethod::kFunction, kMis = CoarseningMethod::kMis,
+                           kQuadtree = CoarseningMethod::kQuadtree;
 
 INSTANTIATE_TEST_SUITE_P(
     Data, RealMeshes,
-    testing::Values(Case{"thesis/airfoil1", kFunction}, Case{"thesis/airfoil1", kMis},
-                    Case{"thesis/airfoil3_original", kFunction},
-                    Case{"thesis/airfoil3_original", kMis}, Case{"thesis/crack_float32", kFunction},
-                    Case{"thesis/crack_float32", kMis}, Case{"thesis/crack_slit", kFunction},
-                    Case{"thesis/crack_slit", kMis}, Case{"graded/su2_naca0012_inv", kFunction},
-                    Case{"graded/su2_naca0012_inv", kMis},
-                    Case{"graded/adcirc_shinnecock", kFunction},
-                    Case{"graded/adcirc_shinnecock", kMis},
-                    Case{"graded/thetis_north_sea_demo", kFunction},
-                    Case{"graded/thetis_north_sea_demo", kMis}),
+    testing::Values(
+        Case{"thesis/airfoil1", kFunction}, Case{"thesis/airfoil1", kMis},
+        Case{"thesis/airfoil1", kQuadtree}, Case{"thesis/airfoil3_original", kFunction},
+        Case{"thesis/airfoil3_original", kMis}, Case{"thesis/airfoil3_original", kQuadtree},
+        Case{"thesis/crack_float32", kFunction}, Case{"thesis/crack_float32", kMis},
+        Case{"thesis/crack_float32", kQuadtree}, Case{"thesis/crack_slit", kFunction},
+        Case{"thesis/crack_slit", kMis}, Case{"thesis/crack_slit", kQuadtree},
+        Case{"graded/su2_naca0012_inv", kFunction}, Case{"graded/su2_naca0012_inv", kMis},
+        Case{"graded/su2_naca0012_inv", kQuadtree}, Case{"graded/adcirc_shinnecock", kFunction},
+        Case{"graded/adcirc_shinnecock", kMis}, Case{"graded/adcirc_shinnecock", kQuadtree},
+        Case{"graded/thetis_north_sea_demo", kFunction}, Case{"graded/thetis_north_sea_demo", kMis},
+        Case{"graded/thetis_north_sea_demo", kQuadtree}),
     name_of);
 
 }  // namespace

@@ -42,10 +42,7 @@ double slow_cone_value(const Quadtree& tree, Point2 x) {
 double slow_envelope_value(const Quadtree& tree, Point2 x) {
   double value = kInfinity;
   for (Index leaf = 0; leaf < tree.leaves(); ++leaf) {
-    const Box2 box = tree.box(leaf);
-    const Point2 nearest{std::clamp(x.x, box.low.x, box.high.x),
-                         std::clamp(x.y, box.low.y, box.high.y)};
-    value = std::min(value, half_side(tree, leaf) + distance(x, nearest));
+    value = std::min(value, half_side(tree, leaf) + distance_to_box(tree.box(leaf), x));
   }
   return value;
 }
