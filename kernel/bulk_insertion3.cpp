@@ -18,8 +18,12 @@ constexpr Index kTetsAPoint = 7;
 // So many points of a region are tried to find a tet of it.
 constexpr Index kMaxStarts = 64;
 
+Error cancelled() { return {ErrorCode::kCancelled, "triangulation cancelled", {}}; }
+
+}  // namespace
+
 // The numbers that the new tets of a region get.
-struct TetSupply {
+struct BulkInsertion3::TetSupply {
   Index next = 0, end = 0;
   std::vector<Index> returned = {};
 
@@ -42,10 +46,6 @@ struct TetSupply {
     for (Index t = next; t < end; ++t) list.push_back(t);
   }
 };
-
-Error cancelled() { return {ErrorCode::kCancelled, "triangulation cancelled", {}}; }
-
-}  // namespace
 
 struct BulkInsertion3::Region {
   std::uint8_t number;
@@ -174,19 +174,19 @@ void BulkInsertion3::fill(Region& region, VertexInserter3& inserter, Speaker spe
 
 // Returns false if that would lead beyond the region, or there is no more room for its tets.
 bool BulkInsertion3::insert_in_region(Index v, Region& region, VertexInserter3& inserter) {
-  auto& [search, filler, cavity] = inserter;
+  auto& cavity = inserter.cavity;
   const Point3 p = points_[v];
-  const Index t =
-      walk(topology_, points_, p, region.hint, [&](Index met) { return !search.is_fenced(met); });
+  const Index t = walk(topology_, points_, p, region.hint,
+                       [&](Index met) { return !inserter.search.is_fenced(met); });
   if (t == kNoIndex) return false;
   const Index twin = vertex_at(topology_, points_, t, p);
   if (twin != kNoIndex) {
     if (twin != v) region.duplicates.push_back({v, twin});
     return true;
   }
-  if (!search.run(topology_, points_, t, p, cavity)) return false;
+  if (!inserter.search.run(topology_, points_, t, p, cavity)) return false;
   if (!region.supply.lengthen(cavity.tets, cavity.rim.size())) return false;
-  filler.fill(topology_, cavity, v);
+  inserter.filler.fill(topology_, cavity, v);
   region.supply.shorten(cavity.tets, cavity.rim.size());
   region.hint = cavity.tets.front();
   return true;

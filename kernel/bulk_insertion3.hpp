@@ -51,6 +51,7 @@ class BulkInsertion3 {
   const std::vector<Duplicate>& duplicates() const { return duplicates_; }
 
  private:
+  struct TetSupply;
   struct Region;
   // Which thread asks: only the caller's may tell the listener.
   enum class Speaker { kCaller, kHelper };
