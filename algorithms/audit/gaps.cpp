@@ -201,6 +201,90 @@ class PointsOnPieces {
   std::vector<SpacingTree<3>> trees_;
 };
 
+// ---- Gaps in a plane
+
+// The largest parameter, and the point it comes from, of gaps whose centre c' lies within e of c
+// and whose x lies with it in the plane through c with this unit normal; r: the radius of gaps at
+// c.
+//
+// At a distance t from c towards the foot of q, at height h over the plane and distance s from c,
+// the parameter is at most (t + e) / (f_q + sqrt(h^2 + (t - s)^2)), which rises with t up to one
+// place.
+struct PlanarGap {
+  Index towards = kNoIndex;
+  double parameter = 0, distance = 0;
+};
+
+class PlanarGaps {
+ public:
+  PlanarGaps(const Vec<3>& c, const Vec<3>& normal, double r, double e)
+      : c_(c), normal_(normal), reach_(r + 2 * e), r_(r), e_(e) {}
+
+  PlanarGap largest(const SpacedPoints<3>& points) const {
+    using Tree = SpacingTree<3>;
+    const auto found = points.spacing.minimise(
+        [&](const Tree::SiteBox& box, double least) {
+          return -(r_ + e_) / (least + std::max(0.0, Tree::distance_to(box, c_) - reach_));
+        },
+        [&](const Vec<3>& place, double f) {
+          return -parameter(place, f, best_distance(place, f));
+        },
+        0);
+    if (found.node == kNoIndex) return {};
+    const Vec<3>& place = points.places[found.node];
+    // The value comes back from the tree; the distance is found again.
+    return {found.node, -found.value, best_distance(place, points.spacing.at(place).value)};
+  }
+
+  // The place of the plane at that distance from c towards the foot of q.
+  Vec<3> towards_foot(const Vec<3>& q, double distance) const {
+    const Vec<3> w = difference(q, c_), flat = step(w, -product(w, normal_), normal_);
+    const double s = norm(flat);
+    return s > 0 ? step(c_, distance / s, flat) : c_;
+  }
+
+ private:
+  struct Foot {
+    double h, s;
+  };
+  Foot foot_of(const Vec<3>& q) const {
+    const Vec<3> w = difference(q, c_);
+    const double h = product(w, normal_);
+    return {std::fabs(h), norm(step(w, -h, normal_))};
+  }
+
+  double best_distance(const Vec<3>& q, double f) const {
+    const auto [h, s] = foot_of(q);
+    const double a = s + e_;
+    const double at_cap = std::clamp(s, r_, reach_);
+    if (a <= f) return at_cap;
+    const double u = (a * h * h + h * f * std::sqrt(a * a + h * h - f * f)) / (a * a - f * f);
+    return s + u <= r_ ? s + u : at_cap;
+  }
+
+  double parameter(const Vec<3>& q, double f, double t) const {
+    const auto [h, s] = foot_of(q);
+    return std::min(t + e_, r_ + e_) / (f + std::sqrt(h * h + (t - s) * (t - s)));
+  }
+
+  Vec<3> c_, normal_;
+  double reach_, r_, e_;
+};
+
+// Whether x lies in the triangle, given that it lies in its plane.
+bool lies_over(const Vec<3>& x, const std::array<Vec<3>, 3>& t, const Vec<3>& normal) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec<3>&a = t[i], &b = t[(i + 1) % 3];
+    if (product(cross_product(difference(b, a), difference(x, a)), normal) < 0) return false;
+  }
+  return true;
+}
+
+Vec<3> unit_normal(const std::array<Vec<3>, 3>& t) {
+  const Vec<3> n = cross_product(difference(t[1], t[0]), difference(t[2], t[0]));
+  return step(Vec<3>{}, 1 / norm(n), n);
+}
+
 }  // namespace
 
 template <std::size_t D>
@@ -214,8 +298,22 @@ GapBracket<D> interior_gap(const SpacedPoints<D>& points) {
 GapBracket<3> face_gap(const SpacedPoints<3>& points) {
   GapBracket<3> bracket;
   const PointsOnPieces on_pieces(points.places, points.boundary);
-  search_centres(
-      points, [&](Index s, const Vec<3>& c) { return on_pieces.distance(s, c); }, bracket);
+  std::vector<std::array<Vec<3>, 3>> faces;
+  for (Index s = 0; s < points.boundary.size(); ++s) faces.push_back(points.boundary.corners(s));
+  const auto judge = [&](Index s, const Vec<3>& c, double e, GapBracket<3>& found) {
+    const Vec<3> normal = unit_normal(faces[s]);
+    const double r = on_pieces.distance(s, c);
+    const double upper = PlanarGaps(c, normal, r, e).largest(points).parameter * kUp;
+    if (upper <= found.lower) return upper;
+    for (const auto& corner : faces[s]) offer_gap(points.spacing, c, r, corner, found);
+    const PlanarGaps here(c, normal, r, 0);
+    const PlanarGap gap = here.largest(points);
+    if (gap.towards == kNoIndex) return upper;
+    const Vec<3> x = here.towards_foot(points.places[gap.towards], gap.distance);
+    if (lies_over(x, faces[s], normal)) offer_gap(points.spacing, c, r, x, found);
+    return upper;
+  };
+  search_gaps<3, 3>(faces, points.tolerance, judge, bracket);
   return bracket;
 }
 

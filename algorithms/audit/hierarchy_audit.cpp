@@ -9,12 +9,14 @@
 #include <utility>
 
 #include "wellspaced/algorithms/audit/boundary_distance.hpp"
+#include "wellspaced/algorithms/audit/domain.hpp"
 #include "wellspaced/algorithms/audit/half_edges.hpp"
 #include "wellspaced/algorithms/audit/intersection.hpp"
 #include "wellspaced/algorithms/audit/level_spacing.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/algorithms/audit/shape_tools.hpp"
+#include "wellspaced/algorithms/audit/spacing_tree.hpp"
 #include "wellspaced/algorithms/audit/well_spaced.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 
@@ -75,6 +77,10 @@ struct Judged {
   bool passes(std::string_view name) const {
     const Check* check = report.check(name);
     return check != nullptr && check->pass();
+  }
+  bool is_convex() const {
+    const auto nodes = static_cast<Index>(mesh().points.size());
+    return has_convex_boundary(mesh(), pair_half_edges(mesh().triangles, {}, nodes));
   }
   bool is_embedded() const {
     return passes("no_inverted") && passes("no_flat") && passes("no_overlap");
@@ -226,6 +232,39 @@ void audit_level_spacing(Judged& coarse, const Judged& selected_from,
     euclidean.violate({v, w});
 }
 
+// f_E <= f_M <= mu f_E, where f_M are the values of the level, coarsened in the graph metric of the
+// level before, and f_E what the Euclidean metric makes of the same. The dilation mu of a Delaunay
+// triangulation is at most 2 pi / (3 cos(pi / 6)), if no boundary is in the way.
+void compare_with_lemma_7_1_4(Judged& coarse, const Judged& finer, double factor) {
+  constexpr double kDilation = 2.4183991523122903, kSlack = 1 + 1e-9;
+  std::vector<Vec<2>> places;
+  std::vector<double> values;
+  for (Index v = 0; v < finer.mesh().points.size(); ++v) {
+    places.push_back(coordinates_of(finer.mesh().points[v]));
+    values.push_back(factor * finer.level.spacing[v]);
+  }
+  const SpacingTree<2> euclidean(places, values);
+  double least = kInfinity, largest = 0;
+  for (Index v = 0; v < coarse.mesh().points.size(); ++v) {
+    const double by_graph = coarse.level.spacing[v];
+    const double directly = euclidean.at(coordinates_of(coarse.mesh().points[v])).value;
+    least = std::min(least, by_graph / directly), largest = std::max(largest, by_graph / directly);
+  }
+  Theorem lower;
+  lower.name = "7.1.4";
+  lower.statement = "f_E / f_M <= 1";
+  lower.left = 1 / least, lower.right = 1;
+  lower.holds = lower.left <= kSlack;
+  Theorem upper = lower;
+  upper.statement = "f_M / f_E <= mu <= 2.418";
+  upper.left = largest, upper.right = kDilation;
+  upper.holds = largest <= kDilation * kSlack;
+  if (!finer.is_convex()) upper.missing_hypothesis = "the level before fills a convex polygon";
+  if (!finer.passes("delaunay")) upper.missing_hypothesis = "the level before is Delaunay";
+  coarse.report.theorems.push_back(std::move(lower));
+  coarse.report.theorems.push_back(std::move(upper));
+}
+
 // ---- The whole
 
 // Whether the syntax was right, so that all else was judged.
@@ -264,6 +303,10 @@ void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
   audit_level_spacing(coarse, from_finest ? finest : finer, options);
   if (options.well_spacing == WellSpacing::kMeasured && has_spacing(coarse, options))
     audit_spacing(coarse.mesh(), {coarse.level.spacing, options.beta}, coarse.report);
+  // From the values of level 0 the first level takes the factor C beta.
+  const double factor = options.factor * (&finer == &finest ? options.beta : 1);
+  if (factor > 0 && !from_finest && has_spacing(coarse, options) && has_spacing(finer, options))
+    compare_with_lemma_7_1_4(coarse, finer, factor);
 }
 
 // A check without a level that counts the levels' violations of one name, or of all required ones.

@@ -27,10 +27,13 @@ enum class SelectedFrom { kLevelBefore, kFinest };
 enum class WellSpacing { kLeftOut, kMeasured };
 
 /// beta: the spacing constant; 0: not known, spacing is then not judged.
+/// factor: C of the coarsening functions in the graph metric, C beta for the first level; 0: not
+///   known, Lemma 7.1.4 is then not compared.
 /// fixed: the special points, as nodes of the finest mesh.
 /// domain: what level 0 is judged against; null: not known.
 struct HierarchyAuditOptions {
   double beta = 0;
+  double factor = 0;
   SelectedFrom selected_from = SelectedFrom::kLevelBefore;
   std::span<const Index> fixed = {};
   const Pslg* domain = nullptr;
@@ -63,7 +66,8 @@ struct HierarchyAuditOptions {
 ///   intersection_max_finer (triangles that one of the level before meets), similarity (the
 ///   constant of Definition 5.1.5). Without a level: levels, and the worst of similarity and
 ///   intersection_max over all levels.
-/// Theorem: 5.1.7, for each pair of levels: local similarity bounds the intersections.
+/// Theorems, for each pair of levels: 5.1.7, local similarity bounds the intersections; 7.1.4, the
+///   graph metric changes coarsening functions by at most the dilation.
 /// Cost: that of audit_mesh on all levels, of count_intersections and of graph_spacing_violations.
 /// See: Definitions 5.1.1 to 5.1.8; ERRATA "For the auditor".
 Report audit_hierarchy(std::span<const HierarchyLevel> levels,

@@ -34,6 +34,16 @@ class SpacingTree {
     if (!sites_.empty()) build(0, 0, sites_.size());
   }
 
+  using SiteBox = Box<static_cast<int>(D)>;
+
+  /// The point for which value(place, f) is least, and that value, if it is below `start`.
+  /// bound(box, least): what no point in the box with a value of `least` or more falls below.
+  template <class Bound, class Value>
+  Found minimise(Bound bound, Value value, double start) const {
+    return least([&](const Node& node) { return bound(node.box, node.least); },
+                 [&](const Site& site) { return value(site.place, site.value); }, start);
+  }
+
   /// The point nearest to x, other than `except`, and its distance.
   Found nearest(const Vec<D>& x, Index except = kNoIndex) const {
     return least([&](const Node& node) { return distance_to(node.box, x); },
@@ -66,6 +76,14 @@ class SpacingTree {
     return found;
   }
 
+  /// How far x is from a box.
+  static double distance_to(const SiteBox& box, const Vec<D>& x) {
+    Vec<D> v;
+    for (std::size_t i = 0; i < D; ++i)
+      v[i] = std::max({box.low[i] - x[i], x[i] - box.high[i], 0.0});
+    return norm(v);
+  }
+
  private:
   static constexpr std::size_t kLeaf = 6;
   static constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -75,7 +93,7 @@ class SpacingTree {
     Index number;
   };
   struct Node {
-    Box<static_cast<int>(D)> box;
+    SiteBox box;
     double least = kNone, largest = 0;
   };
 
@@ -83,13 +101,6 @@ class SpacingTree {
     std::size_t count = 1;
     while (sites > count * kLeaf) count *= 2;
     return count;
-  }
-
-  static double distance_to(const Box<static_cast<int>(D)>& box, const Vec<D>& x) {
-    Vec<D> v;
-    for (std::size_t i = 0; i < D; ++i)
-      v[i] = std::max({box.low[i] - x[i], x[i] - box.high[i], 0.0});
-    return norm(v);
   }
 
   // Recursion is as deep as the tree, log2 n.

@@ -227,6 +227,7 @@ bool is_directory(const std::string& path) {
 audit::HierarchyAuditOptions options_for(const HierarchyInput& input, const Demands& demands) {
   audit::HierarchyAuditOptions options;
   if (input.method != "mis") options.beta = input.beta;
+  if (input.method == "function" && input.metric == "graph") options.factor = input.factor;
   if (input.scheme == "from-finest" || input.scheme == "coarse-to-fine")
     options.selected_from = audit::SelectedFrom::kFinest;
   options.fixed = input.fixed;

@@ -61,6 +61,8 @@ Status read_manifest(const std::string& path, HierarchyInput& input) {
   const auto json = parse_json(*text, path);
   if (!json) return json.error();
   if (const JsonValue* beta = json->find("beta")) input.beta = beta->number;
+  if (const JsonValue* factor = json->find("factor")) input.factor = factor->number;
+  if (const JsonValue* metric = json->find("metric")) input.metric = metric->text;
   if (const JsonValue* method = json->find("method")) input.method = method->text;
   if (const JsonValue* scheme = json->find("scheme")) input.scheme = scheme->text;
   if (const JsonValue* fixed = json->find("fixed"))

@@ -10,12 +10,13 @@
 namespace wellspaced {
 
 /// levels: from level 0 on. notes: what a user should know: one line each.
-/// beta, scheme, fixed: from hierarchy.json; 0 and empty where it does not tell.
+/// beta, factor, method, scheme, metric, fixed: from hierarchy.json; 0 and empty where it does not
+/// tell.
 struct HierarchyInput {
   std::vector<audit::HierarchyLevel> levels;
   std::vector<std::string> notes;
-  double beta = 0;
-  std::string method, scheme;
+  double beta = 0, factor = 0;
+  std::string method, scheme, metric;
   std::vector<Index> fixed;
 };
 

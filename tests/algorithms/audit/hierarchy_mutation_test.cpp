@@ -24,7 +24,7 @@ struct Sequence {
   std::string name;
   std::vector<audit::HierarchyLevel> levels;
   std::vector<Index> fixed;
-  double beta;
+  double beta, factor;
 };
 
 using Fault = test::Fault<Sequence>;
@@ -34,7 +34,7 @@ Sequence coarsened(const std::string& name, const TriangleMesh& mesh, double bet
   options.beta = beta;
   options.factor = factor;
   const Hierarchy hierarchy = coarsen(mesh, options).value();
-  Sequence sequence{name, {}, hierarchy.levels[0].mesh.fixed, beta};
+  Sequence sequence{name, {}, hierarchy.levels[0].mesh.fixed, beta, factor};
   for (const Level& level : hierarchy.levels)
     sequence.levels.push_back({level.mesh, level.origin, level.spacing});
   return sequence;
@@ -56,6 +56,7 @@ const std::vector<Sequence>& clean_sequences() {
 audit::Report audit_of(const Sequence& sequence) {
   audit::HierarchyAuditOptions options;
   options.beta = sequence.beta;
+  options.factor = sequence.factor;
   options.fixed = sequence.fixed;
   return audit::audit_hierarchy(sequence.levels, options);
 }
@@ -228,6 +229,27 @@ std::vector<Fault> faults() {
        {"boundary_nested"},
        kShape + Names{"graph_spacing", "manifold_nodes", "no_unused_node"}},
   };
+}
+
+TEST(HierarchyTheorems, HoldForCleanHierarchies) {
+  for (const Sequence& sequence : clean_sequences()) {
+    const auto report = audit_of(sequence);
+    EXPECT_GE(report.theorems.size(), 3 * (sequence.levels.size() - 1)) << sequence.name;
+    for (const auto& theorem : report.theorems)
+      EXPECT_TRUE(theorem.holds || !theorem.applies())
+          << sequence.name << " " << theorem.name << ": " << theorem.left << " " << theorem.right;
+  }
+}
+
+TEST(HierarchyTheorems, SeeASpacingFunctionThatIsNotTheCoarsenedOne) {
+  Sequence sequence = clean_sequences()[0];
+  for (double& f : sequence.levels[1].spacing) f *= 0.5;
+  const auto report = audit_of(sequence);
+  const auto& theorems = report.theorems;
+  const auto found = std::find_if(theorems.begin(), theorems.end(),
+                                  [](const auto& theorem) { return theorem.name == "7.1.4"; });
+  ASSERT_NE(found, theorems.end());
+  EXPECT_FALSE(found->holds);
 }
 
 TEST(HierarchyMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {

@@ -257,6 +257,7 @@ TEST(WellSpaced, BracketsInSpaceHoldWhatSamplingFinds) {
   EXPECT_LE(sampled, measured(report, "gap_interior_upper"));
   EXPECT_LE(measured(report, "gap_interior_upper"), 1.06 * measured(report, "gap_interior_lower"));
   EXPECT_GE(measured(report, "gap_interior_lower"), 0.9 * sampled);
+  EXPECT_LE(measured(report, "gap_face_upper"), 1.06 * measured(report, "gap_face_lower"));
 }
 
 // ---- Mutations
