@@ -87,7 +87,7 @@ class NodeSelection {
   std::uint64_t key_of(Index v, std::span<const std::uint64_t> keys) const;
   void wait_for(Index v, std::span<const std::uint64_t> keys);
   void decide(Index v, std::span<const std::uint64_t> keys);
-  Index next_before(Waiting& waiting, std::span<const std::uint64_t> keys) const;
+  Index conflict_before(Waiting& waiting, std::span<const std::uint64_t> keys) const;
   void consider(Index v, std::size_t conflicts);
   void find_conflicts(Index v);
   void mark_selected(Index v);

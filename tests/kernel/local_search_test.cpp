@@ -72,5 +72,18 @@ TEST(LocalSearch, CorrectsAPathThatItFoundTooEarly) {
   EXPECT_EQ(distances(graph, search, reached), (std::vector<double>{0, 3, 1, 2, 4}));
 }
 
+TEST(LocalSearch, FindsTheSameDistancesWhereItGrowsLarge) {
+  TriangleMesh mesh = test::grid_mesh({.nx = 70, .ny = 70, .seed = 3});
+  for (Point2& p : mesh.points) p = {std::exp(p.x / 7), std::exp(p.y / 9)};  // graded
+  const Graph graph = mesh_graph(mesh);
+  LocalSearch search(graph);
+  for (const Index source : {0u, 2500u, 5040u}) {
+    std::vector<double> start(graph.nodes(), kInfinity);
+    start[source] = 0;
+    const auto reached = search.run(std::vector{source}, [](Index, double) { return true; });
+    EXPECT_EQ(distances(graph, search, reached), bellman_ford(graph, start));
+  }
+}
+
 }  // namespace
 }  // namespace wellspaced
