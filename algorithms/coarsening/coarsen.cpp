@@ -142,6 +142,14 @@ Level finest_level(TriangleMesh mesh, const Graph& graph, const CoarseningOption
 
 }  // namespace
 
+CoarseningOptions multigrid_profile() {
+  CoarseningOptions options;
+  options.beta = 4;
+  options.factor = 2;
+  options.until_nodes = 600;
+  return options;
+}
+
 double protection_ratio(const CoarseningOptions& options) {
   return options.protect.value_or(options.method == CoarseningMethod::kMis ? 0.15 : 0.2);
 }

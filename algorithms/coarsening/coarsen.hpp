@@ -77,6 +77,11 @@ struct CoarseningOptions {
   Progress progress = {};
 };
 
+/// What a multigrid solver is served best by: many mild steps (beta 4, C 2) down to at most 600
+/// nodes. Convergence follows the largest number of triangles that a coarser one meets, and that
+/// follows C; the angles matter little.
+CoarseningOptions multigrid_profile();
+
 /// R: the one that options give, or else the method's default.
 double protection_ratio(const CoarseningOptions& options);
 

@@ -3,9 +3,11 @@
 namespace wellspaced {
 namespace {
 
-bool has_directed_edge(const std::array<Index, 3>& t, Index from, Index to) {
-  return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) ||
-         (t[2] == from && t[0] == to);
+// The corner that faces the directed edge, 3 if the triangle has no such edge.
+unsigned corner_opposite(const std::array<Index, 3>& t, Index from, Index to) {
+  for (unsigned i = 0; i < 3; ++i)
+    if (t[(i + 1) % 3] == from && t[(i + 2) % 3] == to) return i;
+  return 3;
 }
 
 }  // namespace
@@ -20,12 +22,17 @@ TriangleLinks::TriangleLinks(std::span<const std::array<Index, 3>> triangles, In
     for (const Index v : triangles[t]) around_[first_[v + 1]++] = t;
   first_.pop_back();
 
+  for (auto& neighbors : neighbors_) neighbors.fill(kNoIndex);
   for (Index t = 0; t < triangles.size(); ++t) {
     for (unsigned i = 0; i < 3; ++i) {
+      if (neighbors_[t][i] != kNoIndex) continue;
       const Index from = triangles[t][(i + 1) % 3], to = triangles[t][(i + 2) % 3];
-      neighbors_[t][i] = kNoIndex;
-      for (const Index other : around(from))
-        if (has_directed_edge(triangles[other], to, from)) neighbors_[t][i] = other;
+      for (const Index other : around(from)) {
+        const unsigned j = corner_opposite(triangles[other], to, from);
+        if (j == 3) continue;
+        neighbors_[t][i] = other;
+        neighbors_[other][j] = t;
+      }
     }
   }
 }

@@ -1,0 +1,74 @@
+#include "wellspaced/algorithms/transfer/galerkin.hpp"
+
+#include <algorithm>
+
+#include "wellspaced/kernel/graph.hpp"
+
+namespace wellspaced {
+namespace {
+
+OperatorSize size_of(const SparsityPattern& a) {
+  OperatorSize size{a.entries(), 0, 0};
+  for (Index i = 0; i < a.rows(); ++i) size.row_max = std::max(size.row_max, a.row(i).size());
+  if (a.rows() > 0) size.row_mean = static_cast<double>(size.entries) / a.rows();
+  return size;
+}
+
+}  // namespace
+
+SparsityPattern operator_pattern(const TriangleMesh& mesh) {
+  const Graph graph = mesh_graph(mesh);
+  SparsityPattern pattern;
+  pattern.columns = graph.nodes();
+  pattern.column.reserve(graph.arcs.size() + graph.nodes());
+  for (Index v = 0; v < graph.nodes(); ++v) {
+    pattern.column.push_back(v);
+    for (const Graph::Arc& arc : graph.arcs_of(v)) pattern.column.push_back(arc.target);
+    std::sort(pattern.column.begin() + static_cast<std::ptrdiff_t>(pattern.first.back()),
+              pattern.column.end());
+    pattern.end_row();
+  }
+  return pattern;
+}
+
+SparsityPattern galerkin_pattern(const SparsityPattern& a, const SparsityPattern& p) {
+  const SparsityPattern restriction = transposed(p);
+  SparsityPattern product;
+  product.columns = p.columns;
+  std::vector<Index> seen(p.columns, kNoIndex), seen_fine(p.rows(), kNoIndex);
+  for (Index i = 0; i < p.columns; ++i) {
+    for (const Index u : restriction.row(i))
+      for (const Index v : a.row(u)) {
+        if (seen_fine[v] == i) continue;
+        seen_fine[v] = i;
+        for (const Index j : p.row(v)) {
+          if (seen[j] == i) continue;
+          seen[j] = i;
+          product.column.push_back(j);
+        }
+      }
+    std::sort(product.column.begin() + static_cast<std::ptrdiff_t>(product.first.back()),
+              product.column.end());
+    product.end_row();
+  }
+  return product;
+}
+
+std::vector<OperatorSize> operator_sizes(const TriangleMesh& finest,
+                                         std::span<const Transfer> transfers) {
+  SparsityPattern a = operator_pattern(finest);
+  std::vector<OperatorSize> sizes{size_of(a)};
+  for (const Transfer& transfer : transfers) {
+    a = galerkin_pattern(a, transfer.prolongation);
+    sizes.push_back(size_of(a));
+  }
+  return sizes;
+}
+
+double operator_complexity(std::span<const OperatorSize> sizes) {
+  double sum = 0;
+  for (const OperatorSize& size : sizes) sum += static_cast<double>(size.entries);
+  return sum / static_cast<double>(sizes[0].entries);
+}
+
+}  // namespace wellspaced
