@@ -69,6 +69,8 @@ Status check_options(const CoarseningOptions& options, std::size_t nodes) {
     return usage("the coarsening factor must be a finite number greater than 1");
   if (options.protect && !(*options.protect >= 0 && std::isfinite(*options.protect)))
     return usage("the protection ratio must be a finite number, 0 or more");
+  if (options.keep_boundary && !(*options.keep_boundary >= 0))
+    return usage("the drift of the boundary must be a number, 0 or more");
   if (options.method == CoarseningMethod::kMis && options.scheme != CoarseningScheme::kFineToCoarse)
     return usage("MIS-based levels are selected from the level before: fine to coarse alone");
   if (options.method == CoarseningMethod::kQuadtree &&

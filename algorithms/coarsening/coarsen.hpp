@@ -70,8 +70,11 @@ struct CoarseningOptions {
   /// and nodes in no edge are added, for the boundary hangs on them.
   std::optional<std::vector<Index>> fixed = std::nullopt;
   std::size_t max_levels = SIZE_MAX;  ///< levels after the input
-  std::size_t until_nodes = 0;        ///< no further level once one has at most so many nodes
-  bool count_work = false;            ///< fill Level::work
+  /// The part, >= 0, of its area by which the domain may change from the finest level to any other.
+  /// Boundary nodes are taken back until it does. Default: no limit.
+  std::optional<double> keep_boundary = std::nullopt;
+  std::size_t until_nodes = 0;  ///< no further level once one has at most so many nodes
+  bool count_work = false;      ///< fill Level::work
   /// Phases "spacing", "boundary", "select", "triangulate" of each level, in order, each at its
   /// start and some more often; done: nodes of the input that are coarsened away, total: all.
   Progress progress = {};

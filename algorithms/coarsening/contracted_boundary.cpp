@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -30,6 +31,18 @@ int winding_number(std::span<const Point2> polygon, Point2 p) {
     a = b;
   }
   return winding;
+}
+
+double turn_area(Point2 origin, Point2 a, Point2 b) {
+  return (a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x);
+}
+
+// The signed area of a polygon.
+double polygon_area(std::span<const Point2> polygon) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    twice += turn_area(polygon[0], polygon[i], polygon[i + 1]);
+  return twice / 2;
 }
 
 bool is_straight(std::span<const Point2> chain) {
@@ -107,6 +120,24 @@ void ContractedBoundary::mark_doubles(std::vector<std::uint8_t>& broken) const {
   }
 }
 
+double ContractedBoundary::area() const {
+  double twice = 0;
+  for (std::size_t i = 0; i < edges_.size(); ++i)
+    if (on_domain_curve_[i]) twice += turn_area(points_[0], from(edges_[i]), to(edges_[i]));
+  return twice / 2;
+}
+
+std::vector<std::size_t> ContractedBoundary::edges_that_move_most() const {
+  std::vector<double> areas(regions_.size(), 0);
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    if (on_domain_curve_[regions_[r].edge]) areas[r] = std::fabs(polygon_area(regions_[r].chain));
+  const double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
+  std::vector<std::size_t> edges;
+  for (std::size_t r = 0; r < regions_.size(); ++r)
+    if (areas[r] > 0 && areas[r] >= largest / 2) edges.push_back(regions_[r].edge);
+  return edges;
+}
+
 bool ContractedBoundary::leaves_outside(Point2 p) const {
   int winding = 1;
   region_tree_.for_each_meeting({p, p}, [&](std::size_t r) {
@@ -118,13 +149,16 @@ bool ContractedBoundary::leaves_outside(Point2 p) const {
 }
 
 ContractedBoundary contract_and_repair(const Boundary& boundary, std::span<const Point2> points,
-                                       NodeSelection& selection) {
+                                       NodeSelection& selection, AreaRange areas) {
   std::vector<std::uint8_t> survives(points.size(), 0);
   while (true) {
     const std::vector<Index> selected = selection.selected();
     for (const Index v : selected) survives[v] = 1;
     ContractedBoundary contracted(boundary, points, contract_boundary(boundary, points, survives));
-    const std::vector<std::size_t> broken = contracted.broken_edges(selected);
+    std::vector<std::size_t> broken = contracted.broken_edges(selected);
+    const double area = contracted.area();
+    if (broken.empty() && (area < areas.least || area > areas.most))
+      broken = contracted.edges_that_move_most();
     if (broken.empty()) return contracted;
     for (const std::size_t i : broken)
       selection.force(std::array{middle_node(boundary, contracted.edges()[i])});

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,12 @@
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
+
+/// The areas that the domain may have.
+struct AreaRange {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+};
 
 /// The contracted boundary with the regions that it sweeps over: region i lies between edge i and
 /// the chain that it replaces. All decisions are by exact predicates.
@@ -36,6 +43,13 @@ class ContractedBoundary {
 
   /// Whether any edge has left its chain. If none has, nothing is broken or left outside.
   bool moves_anything() const { return !regions_.empty(); }
+
+  /// The area that the domain curves enclose.
+  double area() const;
+
+  /// The edges of the domain curves that change the area most: by half of what the first of them
+  /// does, or more. Ascending; none if no edge changes it.
+  std::vector<std::size_t> edges_that_move_most() const;
 
   /// Whether a point that was inside the domain, off the boundary, now is not: outside, or on a
   /// contracted edge.
@@ -62,9 +76,10 @@ class ContractedBoundary {
 };
 
 /// Contracts the boundary to the selected nodes. While edges are broken, the middle node that each
-/// has eliminated is selected again, by force (CHOICES 10).
+/// has eliminated is selected again, by force (CHOICES 10); then, while the area is out of range,
+/// those of the edges that move most.
 /// Ends: at the latest when every boundary node is selected.
 ContractedBoundary contract_and_repair(const Boundary& boundary, std::span<const Point2> points,
-                                       NodeSelection& selection);
+                                       NodeSelection& selection, AreaRange areas = {});
 
 }  // namespace wellspaced

@@ -147,7 +147,8 @@ Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest
   selection.force(request.forced);
   if (!selection.select(boundary.nodes, keys, [&] { return tell("boundary"); })) return cancelled();
   const std::size_t chosen = selection.selected().size();
-  const ContractedBoundary contracted = contract_and_repair(boundary, points, selection);
+  const ContractedBoundary contracted =
+      contract_and_repair(boundary, points, selection, request.areas);
   const std::size_t reinstated = selection.selected().size() - chosen;
   const ProtectiveZone zone = zone_of(options);
   if (options.count_work)

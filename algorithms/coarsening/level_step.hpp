@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
+#include "wellspaced/algorithms/coarsening/contracted_boundary.hpp"
 #include "wellspaced/algorithms/coarsening/hierarchy.hpp"
 #include "wellspaced/algorithms/coarsening/source_mesh.hpp"
 #include "wellspaced/kernel/result.hpp"
@@ -23,10 +24,12 @@ struct CoarseningStep {
 ///
 /// level: the number that the random order is drawn for, >= 1. factor: of the coarsened spacing.
 /// forced: nodes of the source to select beside its fixed points (Lemma 5.3.6), ascending.
+/// areas: those that the level's domain may have.
 struct StepRequest {
   std::size_t level = 1;
   double factor = 1;
   std::span<const Index> forced;
+  AreaRange areas = {};
 };
 
 /// ONE_LEVEL_COARSEN (Figure 5.6): builds a coarser level out of a mesh, its boundary first, its

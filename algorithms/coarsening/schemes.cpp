@@ -29,12 +29,25 @@ double factor_from_finest(const CoarseningOptions& options, std::size_t i) {
   return factor;
 }
 
+// The areas that options.keep_boundary leaves to the levels of a mesh.
+AreaRange areas_to_keep(const TriangleMesh& mesh, const Boundary& boundary,
+                        const CoarseningOptions& options) {
+  if (!options.keep_boundary) return {};
+  const std::vector<std::uint8_t> all(mesh.points.size(), 1);
+  const ContractedBoundary whole(boundary, mesh.points,
+                                 contract_boundary(boundary, mesh.points, all));
+  return {whole.area() * (1 - *options.keep_boundary), whole.area() * (1 + *options.keep_boundary)};
+}
+
 // A run of steps: builds levels, and knows whether it was told to stop.
 class SchemeRun {
  public:
   SchemeRun(Level finest, Skeleton skeleton, std::span<const double> limit,
             const CoarseningOptions& options)
-      : options_(options), limit_(limit), skeleton_(std::move(skeleton)) {
+      : options_(options),
+        limit_(limit),
+        areas_(areas_to_keep(finest.mesh, skeleton.boundary, options)),
+        skeleton_(std::move(skeleton)) {
     hierarchy_.levels.push_back(std::move(finest));
   }
 
@@ -53,15 +66,18 @@ class SchemeRun {
 
   const CoarseningOptions& options_;
   std::span<const double> limit_;
+  AreaRange areas_;
   Skeleton skeleton_;
   Hierarchy hierarchy_;
   std::size_t steps_ = 0;
 };
 
 Result<CoarseningStep> SchemeRun::step(const SourceMesh& source, const StepRequest& request) {
+  StepRequest within = request;
+  within.areas = areas_;
   const std::size_t total = nodes_of(hierarchy_.levels[0]);
   const std::size_t done = total - nodes_of(hierarchy_.levels.back());
-  auto built = coarsen_level(source, request, options_, [&](std::string_view phase) {
+  auto built = coarsen_level(source, within, options_, [&](std::string_view phase) {
     return report(options_.progress, phase, done, total);
   });
   ++steps_;

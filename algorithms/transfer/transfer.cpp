@@ -68,7 +68,7 @@ double nearest_parameter(Point2 a, Point2 b, Point2 p) {
   return std::clamp(((p.x - a.x) / length) * ux + ((p.y - a.y) / length) * uy, 0.0, 1.0);
 }
 
-Point2 between(Point2 a, Point2 b, double t) {
+Point2 point_between(Point2 a, Point2 b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
@@ -164,7 +164,7 @@ class CoarseMesh {
 
   EdgePlace place_on_edge(Index a, Index b, Point2 p) const {
     const double t = nearest_parameter(point(a), point(b), p);
-    return {a, b, t, distance(p, between(point(a), point(b), t))};
+    return {a, b, t, distance(p, point_between(point(a), point(b), t))};
   }
 
   Point2 point(Index v) const { return mesh_.points[v]; }
@@ -372,9 +372,10 @@ class TransferBuilder {
   Index triangle_beside(Index v, Index otherwise) {
     if (corners_.at(v).empty()) return otherwise;
     const auto [next, previous] = corners_.at(v)[0];
-    const Point2 middle = between(finer_.points[next], finer_.points[previous], 0.5);
+    const Point2 middle = point_between(finer_.points[next], finer_.points[previous], 0.5);
     EdgePlace nearest;
-    const Index found = locate(otherwise, between(finer_.points[v], middle, 2.0 / 3), nearest);
+    const Index found =
+        locate(otherwise, point_between(finer_.points[v], middle, 2.0 / 3), nearest);
     return found == kNoIndex ? otherwise : found;
   }
 
@@ -433,6 +434,10 @@ class TransferBuilder {
 }  // namespace
 
 Result<Transfer> transfer_between(const Level& finer, const Level& coarser) {
+  if (std::ranges::find(coarser.parent, kNoIndex) != coarser.parent.end())
+    return Error{ErrorCode::kUsage,
+                 "there are no transfers between levels that are not nested (from-finest)",
+                 {}};
   return TransferBuilder(finer, coarser).build();
 }
 

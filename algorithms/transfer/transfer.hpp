@@ -35,8 +35,9 @@ struct Transfer {
 
 /// Requires: the coarser level's nodes are nodes of the finer one (`parent`), as `coarsen` makes
 ///   them; finite coordinates.
-/// Errors: kInvalidGeometry where a part of the finer mesh has no node in the coarser one.
-/// Method: from the kept nodes outwards through the finer mesh, each node starts where a neighbour
+/// Errors: kUsage where the levels are not nested; kInvalidGeometry where a part of the finer mesh
+/// has no node in the coarser one. Method: from the kept nodes outwards through the finer mesh,
+/// each node starts where a neighbour
 ///   was found and walks; nothing is searched for.
 /// Cost: O(n) for bounded degrees.
 /// Audit: audit_transfer. See: section 1.2.4.

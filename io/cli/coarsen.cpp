@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "wellspaced/algorithms/coarsening/statistics.hpp"
+#include "wellspaced/algorithms/transfer/solver_levels.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/process.hpp"
 #include "wellspaced/io/files/input_file.hpp"
@@ -16,6 +19,8 @@
 #include "wellspaced/io/formats/hierarchy_files.hpp"
 #include "wellspaced/io/report/level_table.hpp"
 #include "wellspaced/io/report/report.hpp"
+#include "wellspaced/io/report/solver_table.hpp"
+#include "wellspaced/io/report/table_text.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 
 namespace wellspaced::cli {
@@ -30,6 +35,9 @@ struct Request {
   std::optional<CoarseningScheme> scheme;
   std::optional<SpacingMetric> metric;
   Statistics statistics = Statistics::kBasic;
+  bool multigrid = false;   // the profile
+  bool for_solver = false;  // whether to prepare what a solver needs
+  std::vector<const MatrixFormat*> matrices;
 };
 
 // Where the time of a sequence went, by level and phase. It listens to the progress of coarsen().
@@ -65,6 +73,7 @@ struct Run {
   CoarseningOptions options;
   Hierarchy hierarchy;
   std::vector<LevelStatistics> statistics;
+  std::optional<SolverHierarchy> solver;
   PhaseClock clock;
   std::uint64_t peak_bytes = 0;
 };
@@ -97,10 +106,40 @@ std::vector<CoarseningMethod> read_methods(Arguments& arguments) {
   return methods;
 }
 
+// The profile where none is named: that of solvers, unless a choice of the thesis' is made.
+bool takes_multigrid_profile(Arguments& arguments) {
+  const bool chooses = std::ranges::any_of(
+      std::array{"--method", "--scheme", "--metric", "--beta", "--factor", "--protect"},
+      [&](const char* name) { return arguments.has(name); });
+  return arguments.choice("--profile", chooses ? 0 : 1, {"thesis", "multigrid"}) == 1;
+}
+
+std::vector<const MatrixFormat*> read_matrix_formats(Arguments& arguments,
+                                                     const std::string& otherwise) {
+  std::vector<const MatrixFormat*> formats;
+  const std::string list = arguments.text("--transfers", otherwise);
+  if (list == "none") return formats;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string name = list.substr(begin, end - begin);
+    const MatrixFormat* format = find_matrix_format(name);
+    if (format == nullptr) {
+      arguments.refuse("--transfers", in_quotes(name) + " should be mtx, petsc, npz or none");
+      return {};
+    }
+    if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
+    begin = end + 1;
+  }
+  return formats;
+}
+
 Request read_request(Arguments& arguments, std::uint64_t seed) {
   Request request;
+  request.multigrid = takes_multigrid_profile(arguments);
+  if (request.multigrid) request.options = multigrid_profile();
+  request.matrices = read_matrix_formats(arguments, request.multigrid ? "npz" : "none");
+  request.for_solver = request.multigrid || !request.matrices.empty();
   CoarseningOptions& options = request.options;
-  arguments.choice("--profile", 0, {"thesis"});
   if (arguments.has("--scheme"))
     request.scheme = static_cast<CoarseningScheme>(
         arguments.choice("--scheme", 0, {"fine-to-coarse", "from-finest", "coarse-to-fine"}));
@@ -119,8 +158,10 @@ Request read_request(Arguments& arguments, std::uint64_t seed) {
   if (arguments.has("--protect")) options.protect = arguments.number("--protect", 0, at_least(0));
   options.max_levels = static_cast<std::size_t>(
       arguments.integer("--levels", std::int64_t{1} << 40, between(0, 0x1p40)));
-  options.until_nodes =
-      static_cast<std::size_t>(arguments.integer("--until", 0, between(0, 0x1p40)));
+  options.until_nodes = static_cast<std::size_t>(arguments.integer(
+      "--until", static_cast<std::int64_t>(options.until_nodes), between(0, 0x1p40)));
+  if (arguments.has("--keep-boundary"))
+    options.keep_boundary = arguments.number("--keep-boundary", 0, at_least(0));
   options.seed = seed;
   return request;
 }
@@ -175,7 +216,8 @@ std::vector<LevelStatistics> measure(const Hierarchy& hierarchy, Statistics deta
 }
 
 CoarseningOptions options_of(const Request& request, CoarseningMethod method) {
-  const CoarseningOptions usual = theorem_options(method);
+  const bool of_profile = request.multigrid && method == CoarseningMethod::kFunction;
+  const CoarseningOptions usual = of_profile ? multigrid_profile() : theorem_options(method);
   CoarseningOptions options = request.options;
   options.method = method;
   options.beta = request.beta.value_or(usual.beta);
@@ -183,6 +225,23 @@ CoarseningOptions options_of(const Request& request, CoarseningMethod method) {
   options.scheme = request.scheme.value_or(usual.scheme);
   options.metric = request.metric.value_or(usual.metric);
   return options;
+}
+
+// Of the level that has drifted most, if one has by more than 2% of its area.
+void warn_of_drift(const SolverHierarchy& solver, Session& session) {
+  constexpr double kMuch = 0.02;
+  double most = kMuch;
+  std::size_t worst = 0;
+  for (std::size_t k = 1; k < solver.levels.size(); ++k) {
+    const double drift = std::fabs(solver.levels[k].area_kept - 1);
+    if (drift <= most) continue;
+    most = drift;
+    worst = k;
+  }
+  if (worst == 0) return;
+  session.note("the domain of level " + std::to_string(worst) + " has " +
+               decimal(100 * solver.levels[worst].area_kept, 1) +
+               "% of its area; --keep-boundary 0.02 keeps it within 2%");
 }
 
 Result<Run> run_method(const TriangleMesh& mesh, const Request& request, CoarseningMethod method,
@@ -204,6 +263,12 @@ Result<Run> run_method(const TriangleMesh& mesh, const Request& request, Coarsen
   if (!hierarchy) return hierarchy.error();
   run.hierarchy = std::move(*hierarchy);
   run.statistics = measure(run.hierarchy, request.statistics);
+  if (request.for_solver) {
+    auto solver = prepare_for_solver(run.hierarchy);
+    if (!solver) return solver.error();
+    run.solver = std::move(*solver);
+    warn_of_drift(*run.solver, session);
+  }
   return run;
 }
 
@@ -290,6 +355,11 @@ void write_level(JsonWriter& json, const Run& run, std::size_t k) {
   write_optional(json, "edge_search", statistics.edge_search);
   json.field("node_nested", is_node_nested(run.hierarchy, k));
   json.field("reinstated", level.reinstated).field("dropped_outside", level.dropped_outside);
+  if (run.solver) {
+    json.key("solver").begin_object();
+    describe_solver_level(json, run.solver->levels[k]);
+    json.end_object();
+  }
   write_seconds(json, run.clock.level(level.step));
   json.end_object();
 }
@@ -301,7 +371,12 @@ void write_run(JsonWriter& json, const Run& run) {
   describe_coarsening(json, run.options);
   json.field("complete", run.hierarchy.complete).key("levels").begin_array();
   for (std::size_t k = 0; k < run.hierarchy.levels.size(); ++k) write_level(json, run, k);
-  json.end_array().field("seconds_total", run.clock.total());
+  json.end_array();
+  if (run.solver) {
+    json.field("grid_complexity", run.solver->grid_complexity);
+    json.field("operator_complexity", run.solver->operator_complexity);
+  }
+  json.field("seconds_total", run.clock.total());
   json.field("peak_bytes", run.peak_bytes).end_object();
 }
 
@@ -318,11 +393,12 @@ Status write_summary(std::span<const Run> runs, Session& session) {
   return session.write_json(json);
 }
 
-Status write_files(std::span<const Run> runs, Index index_base, Session& session) {
+Status write_files(std::span<const Run> runs, const HierarchyFormat& common, Session& session) {
   if (session.options().output.empty()) return Ok{};
-  HierarchyFormat format{.index_base = index_base};
+  HierarchyFormat format = common;
   if (!session.options().format.empty()) format.format = session.options().format;
   for (const Run& run : runs) {
+    format.solver = run.solver ? &*run.solver : nullptr;
     std::string directory = session.options().output;
     if (runs.size() > 1) directory.append("/").append(name_of(run.options.method));
     const Status written =
@@ -336,6 +412,8 @@ void print_tables(std::span<const Run> runs, Session& session) {
   std::vector<LevelTable> tables;
   for (const Run& run : runs) tables.push_back({title(run), run.statistics});
   session.print(level_tables(tables));
+  for (const Run& run : runs)
+    if (run.solver) session.print(solver_table(*run.solver));
 }
 
 ReportMethod report_method(const Run& run) {
@@ -393,8 +471,8 @@ Result<int> run(Arguments& arguments, Session& session) {
     runs.push_back(std::move(*result));
   }
   print_tables(runs, session);
-  if (Status status = write_files(runs, geometry->index_base, session); !status)
-    return status.error();
+  const HierarchyFormat format{.index_base = geometry->index_base, .matrices = request.matrices};
+  if (Status status = write_files(runs, format, session); !status) return status.error();
   if (const auto path = arguments.value("--report"))
     if (Status status = write_report(*path, arguments.operands()[0], runs, session); !status)
       return status.error();
@@ -407,7 +485,9 @@ Result<int> run(Arguments& arguments, Session& session) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--profile", "thesis", "the recipe that what is not given is taken from"},
+    Option{"--profile", "multigrid|thesis",
+           "where what is not given comes from: beta 4, C 2, at most 600 nodes left (default), "
+           "or beta 25, C 8 (if a method, scheme, metric, beta, factor or R is given)"},
     Option{"--method", "NAME,...",
            "function (default), mis, threshold, quasi-uniform, quadtree; several: side by side"},
     Option{"--scheme", "NAME",
@@ -428,6 +508,11 @@ constexpr std::array kOptions = {
     Option{"--fixed", "FILE", "0-based numbers of the nodes to keep in all levels"},
     Option{"--levels", "K", "at most K levels beside the input"},
     Option{"--until", "NODES", "no further level once one has at most NODES nodes"},
+    Option{"--keep-boundary", "DRIFT",
+           "keep the area of each level within this part of the finest's, e.g. 0.02"},
+    Option{"--transfers", "LIST",
+           "matrices from each level to the finer one: mtx, petsc, npz or none (default npz "
+           "with the profile multigrid, else none)"},
     Option{"--report", "FILE.html", "pictures, charts and tables of the levels as one web page"},
     Option{"--stats", "none|basic|full", "what to measure (default basic: counts and angles)"},
 };

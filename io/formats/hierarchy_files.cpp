@@ -30,12 +30,23 @@ Status write_column(OutputSet& outputs, const std::string& path, const std::vect
   });
 }
 
+// Level K, as a solver sees it.
+void describe_for_solver(JsonWriter& json, const Hierarchy& hierarchy,
+                         const SolverHierarchy& solver, std::size_t k) {
+  const SolverLevel& level = solver.levels[k];
+  json.field("level_from_coarsest", hierarchy.levels.size() - 1 - k);
+  describe_solver_level(json, level);
+  json.key("coarse").begin_array();
+  if (k + 1 < hierarchy.levels.size())
+    for (const Index v : hierarchy.levels[k + 1].parent) json.value(v);
+  json.end_array();
+}
+
 void describe_level(JsonWriter& json, const Level& level, std::size_t number) {
   json.begin_object().field("level", number).field("nodes", level.mesh.points.size());
   json.field("triangles", level.mesh.triangles.size());
   json.field("boundary_edges", level.mesh.segments.size());
   json.field("reinstated", level.reinstated).field("dropped_outside", level.dropped_outside);
-  json.end_object();
 }
 
 std::string describe(const Hierarchy& hierarchy, const CoarseningOptions& options,
@@ -49,9 +60,17 @@ std::string describe(const Hierarchy& hierarchy, const CoarseningOptions& option
   for (const Index v : hierarchy.levels[0].mesh.fixed) json.value(v);
   json.end_array();
   json.key("levels").begin_array();
-  for (std::size_t k = 0; k < hierarchy.levels.size(); ++k)
+  for (std::size_t k = 0; k < hierarchy.levels.size(); ++k) {
     describe_level(json, hierarchy.levels[k], k);
-  json.end_array().end_object();
+    if (format.solver != nullptr) describe_for_solver(json, hierarchy, *format.solver, k);
+    json.end_object();
+  }
+  json.end_array();
+  if (format.solver != nullptr) {
+    json.field("grid_complexity", format.solver->grid_complexity);
+    json.field("operator_complexity", format.solver->operator_complexity);
+  }
+  json.end_object();
   return json.text();
 }
 
@@ -104,6 +123,18 @@ void describe_coarsening(JsonWriter& json, const CoarseningOptions& options) {
   json.field("protect", protection_ratio(options)).field("seed", options.seed);
 }
 
+void describe_solver_level(JsonWriter& json, const SolverLevel& level) {
+  json.key("intersection_max");
+  level.intersection_max ? json.value(*level.intersection_max) : json.null();
+  json.field("area_kept", level.area_kept).field("perimeter_kept", level.perimeter_kept);
+  json.field("nodes_dropped", level.nodes_dropped);
+  json.field("nodes_displaced", level.nodes_displaced);
+  json.field("displacement_max", level.displacement_max);
+  json.key("galerkin").begin_object().field("entries", level.galerkin.entries);
+  json.field("row_mean", level.galerkin.row_mean).field("row_max", level.galerkin.row_max);
+  json.end_object();
+}
+
 Status write_hierarchy(OutputSet& outputs, const std::string& directory, const Hierarchy& hierarchy,
                        const CoarseningOptions& options, const HierarchyFormat& format) {
   const auto extension = extension_of(format.format);
@@ -120,6 +151,13 @@ Status write_hierarchy(OutputSet& outputs, const std::string& directory, const H
       return status;
     if (Status status = write_column(outputs, name + ".spacing", level.spacing); !status)
       return status;
+    for (const MatrixFormat* matrix : format.matrices) {
+      if (k == 0 || format.solver == nullptr) continue;
+      const std::string path = name + ".prolongation" + std::string(matrix->extension);
+      const SparseMatrix& prolongation = format.solver->transfers[k - 1].prolongation;
+      if (Status status = write_matrix(outputs, path, *matrix, prolongation); !status)
+        return status;
+    }
   }
   const std::string json = describe(hierarchy, options, format);
   return outputs.add(directory + "/hierarchy.json", [&](TextWriter& out) { out << json << '\n'; });

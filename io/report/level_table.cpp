@@ -1,10 +1,11 @@
 #include "wellspaced/io/report/level_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <optional>
 #include <utility>
+
+#include "wellspaced/io/report/table_text.hpp"
 
 namespace wellspaced {
 namespace {
@@ -17,12 +18,6 @@ struct Column {
   std::string group, name;
   std::function<Text(const Statistics&)> cell;
 };
-
-std::string decimal(double value) {
-  char text[64];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 2);
-  return {text, end.ptr};
-}
 
 Text degrees(const std::optional<double>& angle) { return angle ? Text(decimal(*angle)) : Text(); }
 
@@ -75,10 +70,6 @@ std::vector<Column> all_columns() {
 bool is_measured(const Column& column, const LevelTable& table) {
   return std::ranges::any_of(table.levels,
                              [&](const Statistics& s) { return column.cell(s).has_value(); });
-}
-
-std::string right_aligned(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
 // The name of a column and its cells, equally wide.

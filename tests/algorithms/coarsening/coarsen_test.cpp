@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "tests/support/grid_meshes.hpp"
 #include "tests/support/mesh_checker.hpp"
 #include "tests/support/slit_meshes.hpp"
+#include "wellspaced/algorithms/generate/graded_mesh.hpp"
 
 namespace wellspaced {
 namespace {
@@ -285,6 +287,30 @@ TEST(Coarsen, NeverHangsOrCrashesOnTrianglesThatAreNoMesh) {
       EXPECT_LE(hierarchy->levels.size(), nodes);
     }
   }
+}
+
+TEST(Coarsen, KeepsTheAreaOfTheDomainOnRequest) {
+  const TriangleMesh disk = generate_graded_mesh(GradedDomain::kAnnulus, {.nodes = 3000}).value();
+  const auto area_of_level = [](const Level& level) {
+    double twice = 0;
+    for (const auto& [a, b, c] : level.mesh.triangles) {
+      const Point2 p = level.mesh.points[a], q = level.mesh.points[b], r = level.mesh.points[c];
+      twice += (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    }
+    return twice / 2;
+  };
+  const auto worst_drift = [&](const CoarseningOptions& options) {
+    const Hierarchy hierarchy = coarsen(disk, options).value();
+    EXPECT_GE(hierarchy.levels.size(), 3u);
+    double worst = 0;
+    for (const Level& level : hierarchy.levels)
+      worst =
+          std::max(worst, std::fabs(area_of_level(level) / area_of_level(hierarchy.levels[0]) - 1));
+    return worst;
+  };
+  EXPECT_GT(worst_drift({}), 0.1);
+  for (const double drift : {0.05, 0.02, 0.001})
+    EXPECT_LE(worst_drift({.keep_boundary = drift}), drift * (1 + 1e-12));
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ TEST(CoarsenCommand, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
 TEST(CoarsenCommand, PrintsTheContractOfItsJson) {
   const TemporaryDirectory directory;
   write_square(directory, 12);
-  const ProgramRun run =
-      run_program({"coarsen", directory / "square", "--json", "-", "--stats", "full", "--quiet"});
+  const ProgramRun run = run_program({"coarsen", directory / "square", "--profile", "thesis",
+                                      "--json", "-", "--stats", "full", "--quiet"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out.rfind("{\"input\":{\"nodes\":169,\"triangles\":288},\"method\":\"function\","
                           "\"scheme\":\"fine-to-coarse\",\"metric\":\"graph\",\"beta\":25,"
@@ -140,11 +140,42 @@ TEST(CoarsenCommand, KeepsTheFixedPointsOfAFile) {
   const TemporaryDirectory directory;
   write_square(directory, 20);
   const std::string fixed = directory.write("fixed", "0 20\n# the far corners\n420 440 7\n");
-  ASSERT_EQ(
-      run_program({"coarsen", directory / "square", "--fixed", fixed, "-o", directory / "out"})
-          .exit_code,
-      0);
+  ASSERT_EQ(run_program({"coarsen", directory / "square", "--fixed", fixed, "--profile", "thesis",
+                         "-o", directory / "out"})
+                .exit_code,
+            0);
   EXPECT_EQ(test::read_bytes(directory / "out/level_2.origin"), "0\n7\n20\n420\n440\n");
+}
+
+TEST(CoarsenCommand, PreparesSolversByDefault) {
+  const TemporaryDirectory directory;
+  write_square(directory, 30);
+  const ProgramRun run = run_program({"coarsen", directory / "square", "--until", "50",
+                                      "--transfers", "mtx,npz,petsc", "-o", directory / "out"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "function-based: beta 4, C 2, R 0.2, seed 1")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\ngrid complexity 1.")) << run.out;
+  const std::string summary = test::read_bytes(directory / "out/hierarchy.json");
+  for (const char* key : {"\"level_from_coarsest\":0", "\"coarse\":[0,", "\"area_kept\":1",
+                          "\"intersection_max\":null", "\"operator_complexity\":1."})
+    EXPECT_TRUE(contains(summary, key)) << key << " in " << summary;
+  for (const char* name : {"level_1.prolongation.mtx", "level_1.prolongation.npz",
+                           "level_1.prolongation.petsc", "level_2.prolongation.mtx"})
+    EXPECT_TRUE(std::filesystem::exists(directory / (std::string("out/") + name))) << name;
+  EXPECT_FALSE(std::filesystem::exists(directory / "out/level_0.prolongation.mtx"));
+  EXPECT_EQ(test::read_bytes(directory / "out/level_1.prolongation.mtx").rfind("%%MatrixMarket", 0),
+            0u);
+}
+
+TEST(CoarsenCommand, TakesTheThesisProfileWithAnyOfItsChoices) {
+  const TemporaryDirectory directory;
+  write_square(directory, 12);
+  const ProgramRun run = run_program(
+      {"coarsen", directory / "square", "--method", "function", "-o", directory / "out"});
+  EXPECT_TRUE(contains(run.out, "function-based: beta 25, C 8, R 0.2, seed 1")) << run.out;
+  EXPECT_FALSE(contains(run.out, "complexity")) << run.out;
+  EXPECT_FALSE(std::filesystem::exists(directory / "out/level_1.prolongation.npz"));
+  EXPECT_FALSE(contains(test::read_bytes(directory / "out/hierarchy.json"), "level_from_coarsest"));
 }
 
 TEST(CoarsenCommand, RefusesOptionsOutOfRangeInOneLineAndWritesNothing) {
@@ -167,6 +198,9 @@ TEST(CoarsenCommand, RefusesOptionsOutOfRangeInOneLineAndWritesNothing) {
   }
   expect_error("--protect", "-0.1", 2, "--protect");
   expect_error("--method", "best", 2, "'best'");
+  expect_error("--profile", "fast", 2, "'fast'");
+  expect_error("--transfers", "npz,mat", 2, "'mat'");
+  expect_error("--keep-boundary", "-1", 2, "--keep-boundary");
   expect_error("--levels", "-1", 2, "--levels");
   expect_error("--stats", "some", 2, "--stats");
   expect_error("--fixed", fixed, 4, "fixed:2: fixed point 16 is out of range");
