@@ -1,5 +1,6 @@
-// A whole coarsening sequence beside CGAL's Delaunay triangulation of the same points: CPU time as
-// a ratio, from interleaved runs in one process.
+// A whole coarsening sequence beside CGAL's Delaunay triangulation of the same points, and all
+// transfers of a hierarchy for solvers beside its coarsening: CPU time as a ratio, from interleaved
+// runs in one process.
 //
 //   coarsening_table [RUNS]      default 3
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "bench/measure.hpp"
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
+#include "wellspaced/algorithms/transfer/transfer.hpp"
 
 #ifdef WELLSPACED_BENCH_CGAL
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -62,6 +64,25 @@ void print_row(const Row& row, const TriangleMesh& mesh, int runs) {
     std::printf("         -\n");
 }
 
+void print_transfers(const TriangleMesh& mesh, int runs) {
+  std::vector<double> coarsening, transferring;
+  std::size_t levels = 0, rows = 0;
+  for (int run = 0; run < runs; ++run) {
+    TriangleMesh input = mesh;
+    Hierarchy hierarchy;
+    std::vector<Transfer> transfers;
+    coarsening.push_back(
+        timed([&] { hierarchy = *coarsen(std::move(input), multigrid_profile()); }));
+    transferring.push_back(timed([&] { transfers = *transfers_of(hierarchy); }));
+    levels = transfers.size();
+    rows = 0;
+    for (const Transfer& transfer : transfers) rows += transfer.prolongation.rows();
+  }
+  std::printf("%-34s %7s %9s %9s\n", "transfers (median CPU)", "levels", "all rows", "t/coarsen");
+  std::printf("%-34s %7zu %9zu %9.3f\n", "GRID(1) 1M, profile multigrid", levels, rows,
+              median(transferring) / median(coarsening));
+}
+
 }  // namespace
 }  // namespace wellspaced::bench
 
@@ -74,4 +95,5 @@ int main(int argc, char** argv) {
   const TriangleMesh mesh = *generate_grid(options);
   std::printf("%-34s %7s %9s %9s\n", "coarsening (median CPU)", "levels", "all nodes", "t/CGAL");
   for (const bench::Row& row : bench::kRows) bench::print_row(row, mesh, runs);
+  bench::print_transfers(mesh, runs);
 }
