@@ -174,7 +174,7 @@ TEST(AuditCommand, JudgesADirectoryOfLevels) {
   const TemporaryDirectory directory;
   const std::string mesh = directory / "annulus", levels = directory / "levels";
   ASSERT_EQ(run_program({"generate", "annulus", "--nodes", "600", "-o", mesh}).exit_code, 0);
-  ASSERT_EQ(run_program({"coarsen", mesh, "-o", levels}).exit_code, 0);
+  ASSERT_EQ(run_program({"coarsen", mesh, "--profile", "thesis", "-o", levels}).exit_code, 0);
   const auto run = run_program({"audit", levels, "--json", "-"});
   EXPECT_EQ(run.exit_code, 0) << run.out;
   for (const char* part : {"{\"name\":\"node_nested\",\"required\":true,\"pass\":true",

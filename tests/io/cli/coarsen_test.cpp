@@ -66,7 +66,9 @@ TEST(CoarsenCommand, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
   for (const char* name : {"1", "1", "2"}) {
     static int number = 0;
     const std::string out = directory / ("out" + std::to_string(number++));
-    ASSERT_EQ(run_program({"coarsen", directory / "square", "--seed", name, "-o", out}).exit_code,
+    ASSERT_EQ(run_program({"coarsen", directory / "square", "--profile", "thesis", "--seed", name,
+                           "-o", out})
+                  .exit_code,
               0);
   }
   for (const char* name : {"/hierarchy.json", "/level_1.ele", "/level_1.spacing"}) {
@@ -213,8 +215,9 @@ TEST(CoarsenCommand, RefusesOptionsOutOfRangeInOneLineAndWritesNothing) {
 TEST(CoarsenCommand, WritesTheLevelsThatAreDoneAtALimit) {
   const TemporaryDirectory directory;
   write_square(directory, 3);
-  const ProgramRun run = run_program({"coarsen", directory / "square", "--time-limit", "1e-9",
-                                      "--json", "-", "-o", directory / "out"});
+  const ProgramRun run =
+      run_program({"coarsen", directory / "square", "--profile", "thesis", "--time-limit", "1e-9",
+                   "--json", "-", "-o", directory / "out"});
   EXPECT_EQ(run.exit_code, 5) << run.err;
   EXPECT_TRUE(contains(run.out, "\"complete\":false")) << run.out;
   EXPECT_TRUE(contains(test::read_bytes(directory / "out/hierarchy.json"), "\"complete\":false"));
