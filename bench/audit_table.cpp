@@ -12,6 +12,7 @@
 #include "wellspaced/algorithms/audit/intersection.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
+#include "wellspaced/algorithms/audit/well_spaced.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
 #include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/delaunay3.hpp"
@@ -99,6 +100,37 @@ void intersections(int runs) {
               found.mean_per_coarse() > 1);
 }
 
+// How well points are spaced by NN, all gaps bracketed: beside the triangulation of the same
+// points.
+template <class Mesh>
+void spacing(const char* name, const Mesh& mesh, std::vector<double> triangulation, int runs) {
+  Times times;
+  times.triangulation = std::move(triangulation);
+  bool pass = true;
+  for (int run = 0; run < runs; ++run) {
+    audit::Report report;
+    times.audit.push_back(timed([&] { audit::audit_spacing(mesh, {}, report); }));
+    pass &= report.check("well_spaced")->pass();
+  }
+  times.print(name, mesh.points.size(), pass);
+}
+
+void spacing_of_plane(const char* name, const std::vector<Point2>& points, int runs) {
+  Delaunay2 delaunay;
+  std::vector<double> times;
+  for (int run = 0; run < runs; ++run)
+    times.push_back(timed([&] { delaunay = *Delaunay2::build(points); }));
+  spacing(name, mesh_of(delaunay), std::move(times), runs);
+}
+
+void spacing_of_space(const char* name, const std::vector<Point3>& points, int runs) {
+  Delaunay3 delaunay;
+  std::vector<double> times;
+  for (int run = 0; run < runs; ++run)
+    times.push_back(timed([&] { delaunay = *Delaunay3::build(points); }));
+  spacing(name, mesh_of(delaunay), std::move(times), runs);
+}
+
 std::vector<Point3> random_points3(std::size_t count) {
   Random random(1);
   std::vector<Point3> points(count);
@@ -118,4 +150,6 @@ int main(int argc, char** argv) {
   bench::plane("707 x 707 grid", grid_points(707, 707), runs);
   bench::intersections(runs);
   bench::space("150k random points in space", bench::random_points3(150'000), runs);
+  bench::spacing_of_plane("spacing of 100k random points", random_points(100'000, 1), runs);
+  bench::spacing_of_space("spacing of 100k points in space", bench::random_points3(100'000), runs);
 }

@@ -208,8 +208,8 @@ class PointsOnPieces {
 // c.
 //
 // At a distance t from c towards the foot of q, at height h over the plane and distance s from c,
-// the parameter is at most (t + e) / (f_q + sqrt(h^2 + (t - s)^2)), which rises with t up to one
-// place.
+// the parameter is at most min(t, r) + e over f_q + sqrt(h^2 + (t - s)^2), which rises with t up to
+// one place.
 struct PlanarGap {
   Index towards = kNoIndex;
   double parameter = 0, distance = 0;
