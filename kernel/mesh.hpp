@@ -73,11 +73,40 @@ struct TetMesh {
   struct Facet {
     std::array<Index, 3> points{};
     int marker = 0;
+    friend bool operator==(const Facet&, const Facet&) = default;
   };
   std::vector<Point3> points;
   std::vector<std::array<Index, 4>> tets;
   std::vector<Facet> facets;
   std::vector<Segment> segments;
+  std::vector<int> point_markers;
+};
+
+/// A piecewise linear system: the description of a domain in space (Definition 4.2.1).
+///
+/// facets: flat; each is bounded by its polygons, in any order and direction. A polygon of two
+///   points is a segment in the facet, one of one point an isolated point in it. Facet::holes: one
+///   point in each part of the facet to leave out.
+/// segments: those that bound no facet; points may lie anywhere.
+/// holes, regions: as in Pslg, a volume for the area.
+struct Pls {
+  struct Facet {
+    std::vector<std::vector<Index>> polygons;
+    std::vector<Point3> holes;
+    int marker = 0;
+    friend bool operator==(const Facet&, const Facet&) = default;
+  };
+  struct Region {
+    Point3 seed;
+    double attribute = 0;
+    double max_volume = -1;
+    friend bool operator==(const Region&, const Region&) = default;
+  };
+  std::vector<Point3> points;
+  std::vector<Facet> facets;
+  std::vector<Segment> segments;
+  std::vector<Point3> holes;
+  std::vector<Region> regions;
   std::vector<int> point_markers;
 };
 

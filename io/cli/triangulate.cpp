@@ -213,6 +213,15 @@ std::string to_text(const Report& report) {
   return text + (report.cells_sha256 ? "\ncells " + *report.cells_sha256 + "\n" : "\n");
 }
 
+// Facets and segments are no constraints in space.
+void leave_points_alone(const std::string& name, Session& session, Geometry& geometry) {
+  if (!geometry.has_facets() && geometry.solid.segments.empty()) return;
+  session.note(name + ": in space the points alone are triangulated, without facets and segments");
+  geometry.solid.facets.clear();
+  geometry.solid.segments.clear();
+  geometry.polygons.clear();
+}
+
 // Says which file an error of the library is about.
 Error in_file(const Error& error, const std::string& path) {
   if (error.code == ErrorCode::kCancelled) return error;
@@ -230,6 +239,7 @@ Result<int> run(Arguments& arguments, Session& session) {
   report.read = reading.elapsed();
   report.points = geometry->point_count();
 
+  if (geometry->dimension == 3) leave_points_alone(display_name(path), session, *geometry);
   const Choices choices = read_choices(arguments, *geometry, session.options().threads);
   if (Status status = arguments.status(); !status) return status.error();
   if (Status status = triangulate_any(choices, session.progress(), *geometry, report); !status)

@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/point_files.hpp"
+#include "wellspaced/io/formats/surface_files.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
 #include "wellspaced/io/formats/vtk.hpp"
@@ -56,6 +57,10 @@ Result<Geometry> parse_poly_alone(std::string_view text, const std::string& name
   return parse_poly(text, name);
 }
 
+Result<Geometry> parse_smesh_alone(std::string_view text, const std::string& name) {
+  return parse_smesh(text, name);
+}
+
 template <void (*kWrite)(TextWriter&, const Geometry&)>
 Status write_one(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
   return outputs.add(path, [&](TextWriter& out) { kWrite(out, geometry); });
@@ -64,8 +69,7 @@ Status write_one(OutputSet& outputs, const std::string& path, const Geometry& ge
 // A domain goes into one file; the .poly of a mesh has its .node beside it.
 Status write_poly_or_set(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
   if (geometry.has_cells()) return write_triangle_set(outputs, path, geometry);
-  if (geometry.dimension == 2) return write_poly_file(outputs, path, geometry);
-  return usage(path + ": a .poly file has no place for points in space");
+  return write_poly_file(outputs, path, geometry);
 }
 
 Status write_set(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
@@ -113,11 +117,17 @@ Status write_as_svg(OutputSet& outputs, const std::string& path, const Geometry&
 }
 
 // In the order in which contents are tried. To add a format, add a line.
-constexpr std::array<Format, 9> kFormats = {{
-    {"triangle", ".node .ele .edge", "Triangle's .node, .ele, .poly together", parse_node,
-     recognise_node, write_set},
-    {"poly", ".poly", "Triangle's planar straight-line graph", parse_poly_alone, recognise_poly,
+constexpr auto kFormats = std::to_array<Format>({
+    {"off", ".off", "Object File Format: a surface", parse_off, recognise_off, write_off},
+    {"obj", ".obj", "Wavefront OBJ: a surface", parse_obj, recognise_obj, write_obj},
+    {"stl", ".stl", "STL: triangles, plain text", parse_stl, recognise_stl, write_stl},
+    {"stl-binary", "", "STL: triangles, 32-bit binary", parse_stl, nullptr, write_stl_binary},
+    {"triangle", ".node .ele .edge .face", "Triangle's and TetGen's .node, .ele, .poly, ...",
+     parse_node, recognise_node, write_set},
+    {"poly", ".poly", "Triangle's and TetGen's domains", parse_poly_alone, recognise_poly,
      write_poly_or_set},
+    {"smesh", ".smesh", "TetGen's simpler domains in space", parse_smesh_alone, nullptr,
+     write_smesh_file},
     {"f64", ".f64", "points as little-endian doubles", parse_f64, looks_like_f64,
      write_one<write_f64>},
     {"xyz", ".xyz", "points, one a line", parse_xyz, recognise_xyz, write_one<write_xyz>},
@@ -129,7 +139,7 @@ constexpr std::array<Format, 9> kFormats = {{
      write_one<write_as_vtu<VtuEncoding::kRaw>>},
     {"vtk", ".vtk", "legacy VTK, plain text", nullptr, nullptr, write_as_vtk<VtkEncoding::kAscii>},
     {"svg", ".svg", "a picture", nullptr, nullptr, write_as_svg},
-}};
+});
 
 bool has_word(std::string_view list, std::string_view word) {
   for (std::size_t at = list.find(word); at != std::string_view::npos;
@@ -146,15 +156,35 @@ const Format* find_by_name(std::string_view name) {
   return found == kFormats.end() ? nullptr : &*found;
 }
 
-const Format* find_by_extension(const std::string& path) {
+// ".obj" for "dir/X.OBJ"; empty if there is none.
+std::string extension_of(const std::string& path) {
   const std::size_t slash = path.find_last_of('/');
   const std::size_t dot = path.find_last_of('.');
-  if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return nullptr;
-  const std::string_view extension = std::string_view(path).substr(dot);
+  if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
+  std::string extension = path.substr(dot);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+const Format* find_by_extension(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension.empty()) return nullptr;
   const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
     return has_word(format.extensions, extension);
   });
   return found == kFormats.end() ? nullptr : &*found;
+}
+
+// Several formats may have the same extension: then the content decides.
+const Format* find_by_extension(const std::string& path, std::string_view text) {
+  const std::string extension = extension_of(path);
+  if (extension.empty()) return nullptr;
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+    return has_word(format.extensions, extension) && format.recognise != nullptr &&
+           format.recognise(text);
+  });
+  return found == kFormats.end() ? find_by_extension(path) : &*found;
 }
 
 const Format* find_by_content(std::string_view text) {
@@ -179,9 +209,15 @@ std::string writable_names() {
   return names_of([](const Format& format) { return format.write != nullptr; });
 }
 
+const Format* find_format(const std::string& name, const std::string& path, std::string_view text) {
+  if (!name.empty()) return find_by_name(name);
+  const Format* const format = find_by_extension(path, text);
+  return format != nullptr ? format : find_by_content(text);
+}
+
 Result<Geometry> parse_text(const std::string& text, const std::string& path,
-                            const Format* format) {
-  if (format == nullptr) format = find_by_content(text);
+                            const std::string& format_name) {
+  const Format* const format = find_format(format_name, path, text);
   if (format != nullptr) return format->parse(text, display_name(path));
   return Error{ErrorCode::kUnreadable,
                display_name(path) + ": is in no format that is known: " + readable_names(),
@@ -224,7 +260,7 @@ Result<Geometry> read_geometry(const std::string& given, const ReadOptions& opti
                                                : read_triangle_file(path, options.largest);
   const auto text = read_input(path, options.largest);
   if (!text) return text.error();
-  return parse_text(*text, path, format);
+  return parse_text(*text, path, options.format);
 }
 
 Status prepare_geometry(Geometry& geometry, const std::string& name) {
@@ -251,6 +287,32 @@ Pslg to_pslg(Geometry geometry) {
   return {std::move(geometry.mesh.points), std::move(geometry.mesh.segments),
           std::move(geometry.holes), std::move(geometry.regions),
           std::move(geometry.mesh.point_markers)};
+}
+
+Pls to_pls(Geometry geometry) {
+  Pls domain;
+  for (const TetMesh::Facet& facet : geometry.solid.facets)
+    domain.facets.push_back({{{facet.points.begin(), facet.points.end()}}, {}, facet.marker});
+  std::move(geometry.polygons.begin(), geometry.polygons.end(), std::back_inserter(domain.facets));
+  domain.points = std::move(geometry.solid.points);
+  domain.segments = std::move(geometry.solid.segments);
+  domain.holes = std::move(geometry.volume_holes);
+  domain.regions = std::move(geometry.volume_regions);
+  domain.point_markers = std::move(geometry.solid.point_markers);
+  return domain;
+}
+
+Geometry to_geometry(Pls domain, Index index_base) {
+  Geometry geometry;
+  geometry.dimension = 3;
+  geometry.index_base = index_base;
+  for (Pls::Facet& facet : domain.facets) add_facet(geometry, std::move(facet));
+  geometry.solid.points = std::move(domain.points);
+  geometry.solid.segments = std::move(domain.segments);
+  geometry.solid.point_markers = std::move(domain.point_markers);
+  geometry.volume_holes = std::move(domain.holes);
+  geometry.volume_regions = std::move(domain.regions);
+  return geometry;
 }
 
 Geometry to_geometry(TriangleMesh mesh, Index index_base) {

@@ -31,7 +31,7 @@ std::span<const Format> formats();
 enum class Siblings { kIgnored, kRead };
 
 struct ReadOptions {
-  std::string format = {};                ///< empty: by extension, else by content
+  std::string format = {};                ///< empty: by extension and content
   Siblings siblings = Siblings::kRead;    ///< a .poly without points reads its .node in any case
   std::uint64_t largest = kLargestInput;  ///< of one file, in bytes
 };
@@ -53,6 +53,9 @@ Result<Geometry> read_mesh(const std::string& path, const ReadOptions& options =
 /// The domain that a geometry in the plane describes; its triangles are left out.
 Pslg to_pslg(Geometry geometry);
 
+/// The domain that a geometry in space describes; its tetrahedra are left out.
+Pls to_pls(Geometry geometry);
+
 /// Writes to `path` in the format of that name, or of its extension where `format` is empty.
 /// Errors: kUsage for a format that does not exist, cannot be written or has no place for the
 /// geometry; kUsage and kLimit as OutputSet::add().
@@ -63,6 +66,8 @@ Status write_geometry(OutputSet& outputs, const std::string& path, const std::st
 /// Triangle's files: also where neither says anything.
 bool writes_triangle_files(const std::string& path, const std::string& format);
 
+/// A domain as a geometry, to be written with the given index base.
+Geometry to_geometry(Pls domain, Index index_base = 0);
 /// A mesh as a geometry, to be written with the given index base.
 Geometry to_geometry(TriangleMesh mesh, Index index_base = 0);
 

@@ -1,6 +1,7 @@
 #include "wellspaced/io/formats/triangle_files.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "wellspaced/io/files/input_file.hpp"
@@ -14,6 +15,14 @@ bool has_extension(const std::string& path, std::string_view extension) {
          std::string_view(path).substr(path.size() - extension.size()) == extension;
 }
 
+template <class Point>
+std::optional<Index> first_difference(const std::vector<Point>& listed,
+                                      const std::vector<Point>& mine) {
+  const auto found = std::mismatch(listed.begin(), listed.end(), mine.begin(), mine.end()).first;
+  if (found == listed.end()) return {};
+  return static_cast<Index>(found - listed.begin());
+}
+
 // One reading of a set.
 class SetReader {
  public:
@@ -23,11 +32,14 @@ class SetReader {
   Result<Geometry> read();
 
  private:
+  bool has(const char* extension) const { return file_exists(set_ + extension); }
   Status read_points();
-  Status read_poly();
+  Status read_domain(const char* extension);
   Status read_edges();
+  Status read_faces();
   Status read_cells();
-  Status check_points_of_poly(const Geometry& poly, const std::string& name) const;
+  Status read_boundary();
+  Status check_points_of_domain(const Geometry& domain, const std::string& name) const;
 
   std::string path_, set_;
   std::uint64_t largest_;
@@ -36,7 +48,7 @@ class SetReader {
 
 Status SetReader::read_points() {
   const std::string name = set_ + ".node";
-  if (!file_exists(name) && file_exists(set_ + ".poly")) return Ok{};  // the .poly must hold them
+  if (!has(".node") && (has(".poly") || has(".smesh"))) return Ok{};  // they must hold them
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
   auto points = parse_node(*text, name);
@@ -45,37 +57,45 @@ Status SetReader::read_points() {
   return Ok{};
 }
 
-Status SetReader::check_points_of_poly(const Geometry& poly, const std::string& name) const {
-  const auto& mine = geometry_.mesh.points;
-  const auto& listed = poly.mesh.points;
-  const auto differ = std::mismatch(listed.begin(), listed.end(), mine.begin(), mine.end()).first;
-  if (differ == listed.end()) return Ok{};
-  const auto i = static_cast<Index>(differ - listed.begin());
+Status SetReader::check_points_of_domain(const Geometry& domain, const std::string& name) const {
+  const auto i = domain.dimension == 2
+                     ? first_difference(domain.mesh.points, geometry_.mesh.points)
+                     : first_difference(domain.solid.points, geometry_.solid.points);
+  if (!i) return Ok{};
   return Error{ErrorCode::kInvalidGeometry,
-               name + ": its point " + std::to_string(std::uint64_t{i} + poly.index_base) +
+               name + ": its point " + std::to_string(std::uint64_t{*i} + domain.index_base) +
                    " is not that of " + set_ + ".node; remove the points of one of them",
-               {i}};
+               {*i}};
 }
 
-Status SetReader::read_poly() {
-  const std::string name = set_ + ".poly";
+// A .poly or .smesh, which may lean on the .node.
+Result<Geometry> parse_domain(std::string_view text, const std::string& name,
+                              const Geometry* points) {
+  return has_extension(name, ".smesh") ? parse_smesh(text, name, points)
+                                       : parse_poly(text, name, points);
+}
+
+Status SetReader::read_domain(const char* extension) {
+  const std::string name = set_ + extension;
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
   const bool refers = poly_refers_to_node(*text);
-  const bool has_node = file_exists(set_ + ".node");
-  if (refers && !has_node)
+  if (refers && !has(".node"))
     return Error{
         ErrorCode::kUnreadable, name + ": holds no points, and " + set_ + ".node is missing", {}};
-  auto poly = parse_poly(*text, name, refers ? &geometry_ : nullptr);
-  if (!poly) return poly.error();
-  if (refers || !has_node) {
-    geometry_ = *std::move(poly);
-    return Ok{};
+  auto domain = parse_domain(*text, name, refers ? &geometry_ : nullptr);
+  if (!domain) return domain.error();
+  if (!refers && has(".node")) {
+    if (Status status = check_points_of_domain(*domain, name); !status) return status;
+    domain->mesh.points = std::move(geometry_.mesh.points);
+    domain->mesh.point_markers = std::move(geometry_.mesh.point_markers);
+    domain->solid.points = std::move(geometry_.solid.points);
+    domain->solid.point_markers = std::move(geometry_.solid.point_markers);
+    domain->point_attributes = std::move(geometry_.point_attributes);
+    domain->index_base = geometry_.index_base;
+    domain->dimension = geometry_.dimension;
   }
-  if (Status status = check_points_of_poly(*poly, name); !status) return status;
-  geometry_.mesh.segments = std::move(poly->mesh.segments);
-  geometry_.holes = std::move(poly->holes);
-  geometry_.regions = std::move(poly->regions);
+  geometry_ = *std::move(domain);
   return Ok{};
 }
 
@@ -85,8 +105,19 @@ Status SetReader::read_edges() {
   if (!text) return text.error();
   const auto edges = parse_edge(*text, name, geometry_);
   if (!edges) return edges.error();
-  std::copy_if(edges->begin(), edges->end(), std::back_inserter(geometry_.mesh.segments),
+  auto& segments = geometry_.dimension == 2 ? geometry_.mesh.segments : geometry_.solid.segments;
+  std::copy_if(edges->begin(), edges->end(), std::back_inserter(segments),
                [](const Segment& s) { return s.marker != 0; });
+  return Ok{};
+}
+
+Status SetReader::read_faces() {
+  const std::string name = set_ + ".face";
+  const auto text = read_input(name, largest_);
+  if (!text) return text.error();
+  auto faces = parse_face(*text, name, geometry_);
+  if (!faces) return faces.error();
+  geometry_.solid.facets = *std::move(faces);
   return Ok{};
 }
 
@@ -97,32 +128,42 @@ Status SetReader::read_cells() {
   return parse_ele(*text, name, geometry_);
 }
 
+// The boundary of a mesh in space is in its .face and .edge; any other is in the domain's file.
+Status SetReader::read_boundary() {
+  const bool listed = geometry_.dimension == 3 && has(".ele") && has(".face");
+  if (!listed && has(".poly")) return read_domain(".poly");
+  if (!listed && has(".smesh")) return read_domain(".smesh");
+  Status status = Ok{};
+  if (geometry_.dimension == 3 && has(".face")) status = read_faces();
+  if (status.ok() && has(".edge")) status = read_edges();
+  return status;
+}
+
 Result<Geometry> SetReader::read() {
   if (!file_exists(path_)) return read_input(path_).error();
   if (Status status = read_points(); !status) return status.error();
-  const bool plane = geometry_.dimension == 2;
-  if (file_exists(set_ + ".poly")) {
-    if (!plane) {
-      geometry_.notes.push_back(set_ + ".poly: facets in space are not read");
-    } else if (Status status = read_poly(); !status) {
-      return status.error();
-    }
-  } else if (plane && file_exists(set_ + ".edge")) {
-    if (Status status = read_edges(); !status) return status.error();
-  }
-  if (file_exists(set_ + ".ele"))
+  if (Status status = read_boundary(); !status) return status.error();
+  if (has(".ele"))
     if (Status status = read_cells(); !status) return status.error();
   return std::move(geometry_);
 }
 
-bool needs_poly(const Geometry& geometry) {
-  return !geometry.mesh.segments.empty() || !geometry.holes.empty() || !geometry.regions.empty();
+// Whether the domain needs a file of its own: that of a mesh in space is in .face and .edge.
+bool needs_poly(const Geometry& g) {
+  if (g.dimension == 2) return !g.mesh.segments.empty() || !g.holes.empty() || !g.regions.empty();
+  const bool bounds = g.has_facets() || !g.solid.segments.empty();
+  return !g.polygons.empty() || !g.volume_holes.empty() || !g.volume_regions.empty() ||
+         (bounds && g.solid.tets.empty());
+}
+
+bool is_simple(const Pls::Facet& facet) {
+  return facet.polygons.size() == 1 && facet.holes.empty();
 }
 
 }  // namespace
 
 std::string triangle_set_name(const std::string& path) {
-  for (const std::string_view extension : {".node", ".ele", ".poly", ".edge"})
+  for (const std::string_view extension : {".node", ".ele", ".poly", ".edge", ".smesh", ".face"})
     if (has_extension(path, extension)) return path.substr(0, path.size() - extension.size());
   return path;
 }
@@ -135,16 +176,16 @@ Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t large
   const auto text = read_input(path, largest);
   if (!text) return text.error();
   if (has_extension(path, ".node")) return parse_node(*text, path);
-  if (!has_extension(path, ".poly"))
+  if (!has_extension(path, ".poly") && !has_extension(path, ".smesh"))
     return Error{
         ErrorCode::kUnreadable, path + ": holds no points; name its .node or .poly file", {}};
-  if (!poly_refers_to_node(*text)) return parse_poly(*text, path);
+  if (!poly_refers_to_node(*text)) return parse_domain(*text, path, nullptr);
   const std::string node = triangle_set_name(path) + ".node";
   const auto node_text = read_input(node, largest);
   if (!node_text) return node_text.error();
   const auto points = parse_node(*node_text, node);
   if (!points) return points.error();
-  return parse_poly(*text, path, &*points);
+  return parse_domain(*text, path, &*points);
 }
 
 Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry,
@@ -159,15 +200,31 @@ Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geo
   };
   Status status = add(".node", write_node);
   if (status.ok() && (all || geometry.has_cells())) status = add(".ele", write_ele);
-  if (status.ok() && geometry.dimension == 2 && (all || needs_poly(geometry)))
-    status = add(".poly", write_references);
-  if (status.ok() && has_extension(path, ".edge")) status = add(".edge", write_edge);
+  const bool plane = geometry.dimension == 2;
+  const bool poly = needs_poly(geometry) || (all && plane);
+  if (status.ok() && poly) status = add(".poly", write_references);
+  const bool space_mesh = !poly && !plane;
+  if (status.ok() && space_mesh && !geometry.solid.facets.empty())
+    status = add(".face", write_face);
+  const bool edges = space_mesh && !geometry.solid.segments.empty();
+  if (status.ok() && (edges || has_extension(path, ".edge"))) status = add(".edge", write_edge);
   return status;
 }
 
 Status write_poly_file(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
   return outputs.add(path,
                      [&](TextWriter& out) { write_poly(out, geometry, PolyPoints::kInside); });
+}
+
+Status write_smesh_file(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+  if (geometry.dimension != 3)
+    return Error{ErrorCode::kUsage, path + ": only a domain in space can be an .smesh file", {}};
+  if (!std::all_of(geometry.polygons.begin(), geometry.polygons.end(), is_simple))
+    return Error{ErrorCode::kUsage,
+                 path + ": a facet has holes or several polygons; write a .poly file",
+                 {}};
+  return outputs.add(path,
+                     [&](TextWriter& out) { write_smesh(out, geometry, PolyPoints::kInside); });
 }
 
 }  // namespace wellspaced

@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "wellspaced/io/formats/space_domain.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 
@@ -16,6 +17,10 @@ class TriangleParser {
   std::vector<Segment> read_segments(const Geometry& geometry);
   void read_holes(Geometry& geometry);
   void read_regions(Geometry& geometry);
+  void read_domain_in_space(FacetSyntax syntax, Geometry& geometry) {
+    read_space_domain(scanner_, syntax, geometry);
+  }
+  std::vector<TetMesh::Facet> read_faces(const Geometry& geometry);
   void read_cells(Geometry& geometry);
   void require_end();
 
@@ -33,28 +38,17 @@ class TriangleParser {
   PointHeader read_point_header();
   void read_point_number(Index i, Geometry& geometry);
   void read_point(const PointHeader& header, Geometry& geometry);
-  Index read_count(const char* what, std::uint64_t fields_each);
   Index read_columns(const char* what);
-  Index read_index(const Geometry& geometry);
+  Index read_index(const Geometry& geometry) {
+    return scanner_.point(geometry.point_count(), geometry.index_base);
+  }
   Point2 read_seed(const char* number);
   template <std::size_t kCorners>
   void read_cell_lines(Index count, const Geometry& geometry,
                        std::vector<std::array<Index, kCorners>>& cells, Attributes& attributes);
-  bool next_of(Index count, const char* what);
 
   Scanner scanner_;
 };
-
-// A count, after which that many lines of at least `fields_each` fields follow.
-Index TriangleParser::read_count(const char* what, std::uint64_t fields_each) {
-  const std::int64_t count = scanner_.integer(std::string("number of ") + what);
-  if (count < 0)
-    fail(ErrorCode::kUnreadable, "the number of " + std::string(what) + " is negative");
-  if (!ok()) return 0;
-  if (!scanner_.has_room_for(static_cast<std::uint64_t>(count), fields_each, what)) return 0;
-  if (count >= kNoIndex) fail(ErrorCode::kLimit, "more than 4294967294 " + std::string(what));
-  return ok() ? static_cast<Index>(count) : 0;
-}
 
 // How many columns of a kind there are: a million or more is a mistake.
 Index TriangleParser::read_columns(const char* what) {
@@ -66,19 +60,11 @@ Index TriangleParser::read_columns(const char* what) {
   return ok() ? static_cast<Index>(count) : 0;
 }
 
-// Moves to the next of `count` lines of a kind.
-bool TriangleParser::next_of(Index count, const char* what) {
-  if (scanner_.next_line()) return true;
-  fail(ErrorCode::kUnreadable,
-       "the file ends before its " + std::to_string(count) + " " + what + " do");
-  return false;
-}
-
 // The count comes first, but how much room it needs depends on the columns behind it.
 TriangleParser::PointHeader TriangleParser::read_point_header() {
   PointHeader header;
   if (!scanner_.require_line("the number of points")) return header;
-  header.count = read_count("points", 3);
+  header.count = scanner_.count("points", 3);
   const std::int64_t dimension = scanner_.integer_or(2, "dimension");
   if (dimension != 2 && dimension != 3)
     fail(ErrorCode::kUnreadable, "the dimension is " + std::to_string(dimension) + ", not 2 or 3");
@@ -128,33 +114,20 @@ void TriangleParser::read_points(Geometry& geometry) {
   } else {
     geometry.solid.points.reserve(header.count);
   }
-  for (Index i = 0; i < header.count && next_of(header.count, "points"); ++i) {
+  for (Index i = 0; i < header.count && scanner_.next_record(header.count, "points"); ++i) {
     read_point_number(i, geometry);
     read_point(header, geometry);
   }
 }
 
-Index TriangleParser::read_index(const Geometry& geometry) {
-  const std::int64_t number = scanner_.integer("point number");
-  const std::int64_t base = geometry.index_base;
-  const auto count = static_cast<std::int64_t>(geometry.point_count());
-  if (number >= base && number < base + count) return static_cast<Index>(number - base);
-  const std::string range = count == 0 ? "there are none"
-                                       : "they are numbered from " + std::to_string(base) + " to " +
-                                             std::to_string(base + count - 1);
-  fail(ErrorCode::kInvalidGeometry,
-       "point " + std::to_string(number) + " is not among the points: " + range);
-  return 0;
-}
-
 std::vector<Segment> TriangleParser::read_segments(const Geometry& geometry) {
   std::vector<Segment> segments;
   if (!scanner_.require_line("the number of segments")) return segments;
-  const Index count = read_count("segments", 3);
+  const Index count = scanner_.count("segments", 3);
   const bool marked = read_columns("number of markers") != 0;
   if (!ok() || !scanner_.has_room_for(count, marked ? 4 : 3, "segments")) return segments;
   segments.reserve(count);
-  for (Index i = 0; i < count && next_of(count, "segments"); ++i) {
+  for (Index i = 0; i < count && scanner_.next_record(count, "segments"); ++i) {
     scanner_.integer("segment number");
     Segment segment;
     segment.a = read_index(geometry);
@@ -165,6 +138,23 @@ std::vector<Segment> TriangleParser::read_segments(const Geometry& geometry) {
   return segments;
 }
 
+std::vector<TetMesh::Facet> TriangleParser::read_faces(const Geometry& geometry) {
+  std::vector<TetMesh::Facet> faces;
+  if (!scanner_.require_line("the number of faces")) return faces;
+  const Index count = scanner_.count("faces", 4);
+  const bool marked = read_columns("number of markers") != 0;
+  if (!ok() || !scanner_.has_room_for(count, marked ? 5 : 4, "faces")) return faces;
+  faces.reserve(count);
+  for (Index i = 0; i < count && scanner_.next_record(count, "faces"); ++i) {
+    scanner_.integer("face number");
+    TetMesh::Facet face;
+    for (Index& corner : face.points) corner = read_index(geometry);
+    if (marked) face.marker = scanner_.marker();
+    faces.push_back(face);
+  }
+  return faces;
+}
+
 Point2 TriangleParser::read_seed(const char* number) {
   scanner_.integer(number);
   const double x = scanner_.number("x coordinate");
@@ -173,17 +163,17 @@ Point2 TriangleParser::read_seed(const char* number) {
 
 void TriangleParser::read_holes(Geometry& geometry) {
   if (!scanner_.next_line()) return;
-  const Index count = read_count("holes", 3);
+  const Index count = scanner_.count("holes", 3);
   geometry.holes.reserve(count);
-  for (Index i = 0; i < count && next_of(count, "holes"); ++i)
+  for (Index i = 0; i < count && scanner_.next_record(count, "holes"); ++i)
     geometry.holes.push_back(read_seed("hole number"));
 }
 
 void TriangleParser::read_regions(Geometry& geometry) {
   if (!scanner_.next_line()) return;
-  const Index count = read_count("regions", 4);
+  const Index count = scanner_.count("regions", 4);
   geometry.regions.reserve(count);
-  for (Index i = 0; i < count && next_of(count, "regions"); ++i) {
+  for (Index i = 0; i < count && scanner_.next_record(count, "regions"); ++i) {
     Pslg::Region region;
     region.seed = read_seed("region number");
     region.attribute = scanner_.number("attribute");
@@ -198,7 +188,7 @@ void TriangleParser::read_cell_lines(Index count, const Geometry& geometry,
                                      Attributes& attributes) {
   cells.reserve(count);
   attributes.values.reserve(std::size_t{count} * attributes.columns);
-  for (Index i = 0; i < count && next_of(count, "elements"); ++i) {
+  for (Index i = 0; i < count && scanner_.next_record(count, "elements"); ++i) {
     scanner_.integer("element number");
     std::array<Index, kCorners> cell{};
     for (Index& corner : cell) corner = read_index(geometry);
@@ -210,7 +200,7 @@ void TriangleParser::read_cell_lines(Index count, const Geometry& geometry,
 
 void TriangleParser::read_cells(Geometry& geometry) {
   if (!scanner_.require_line("the number of elements")) return;
-  const Index count = read_count("elements", 4);
+  const Index count = scanner_.count("elements", 4);
   const Index expected = geometry.dimension == 3 ? 4 : 3;
   const std::int64_t corners = scanner_.integer_or(expected, "number of corners");
   if (corners != expected)
@@ -255,12 +245,27 @@ Result<Geometry> parse_poly(std::string_view text, const std::string& name,
   Geometry geometry;
   parser.read_points(geometry);
   if (geometry.point_count() == 0 && points != nullptr) geometry = *points;
-  if (geometry.dimension == 3)
-    parser.fail(ErrorCode::kUnreadable,
-                "this is a domain in space, where one in the plane is needed");
-  geometry.mesh.segments = parser.read_segments(geometry);
-  parser.read_holes(geometry);
-  parser.read_regions(geometry);
+  if (geometry.dimension == 3) {
+    parser.read_domain_in_space(FacetSyntax::kPoly, geometry);
+  } else {
+    geometry.mesh.segments = parser.read_segments(geometry);
+    parser.read_holes(geometry);
+    parser.read_regions(geometry);
+  }
+  parser.require_end();
+  if (!parser.ok()) return parser.error();
+  return geometry;
+}
+
+Result<Geometry> parse_smesh(std::string_view text, const std::string& name,
+                             const Geometry* points) {
+  TriangleParser parser(text, name);
+  Geometry geometry;
+  parser.read_points(geometry);
+  if (geometry.point_count() == 0 && points != nullptr) geometry = *points;
+  if (geometry.dimension != 3)
+    parser.fail(ErrorCode::kUnreadable, "the points of an .smesh file must lie in space");
+  parser.read_domain_in_space(FacetSyntax::kSmesh, geometry);
   parser.require_end();
   if (!parser.ok()) return parser.error();
   return geometry;
@@ -281,6 +286,15 @@ Result<std::vector<Segment>> parse_edge(std::string_view text, const std::string
   parser.require_end();
   if (!parser.ok()) return parser.error();
   return edges;
+}
+
+Result<std::vector<TetMesh::Facet>> parse_face(std::string_view text, const std::string& name,
+                                               const Geometry& geometry) {
+  TriangleParser parser(text, name);
+  std::vector<TetMesh::Facet> faces = parser.read_faces(geometry);
+  parser.require_end();
+  if (!parser.ok()) return parser.error();
+  return faces;
 }
 
 }  // namespace wellspaced

@@ -1,4 +1,5 @@
-// Triangle's and TetGen's text formats: .node, .ele, .poly and .edge, one text at a time.
+// Triangle's and TetGen's text formats, one text at a time: .node, .ele, .poly, .smesh, .edge,
+// .face.
 #pragma once
 
 #include <string>
@@ -27,11 +28,16 @@ Result<Geometry> parse_node(std::string_view text, const std::string& name);
 /// Reads a planar straight-line graph: points, segments, holes and regions; the hole and region
 /// sections may be missing. Where the text holds no points, those of `points` are taken, which
 /// come from its .node file. A region without a largest area takes its attribute for it, as in
-/// Triangle.
+/// Triangle. Over points in space it is TetGen's: facets with their polygons and holes, then holes
+/// and regions of the volume.
 Result<Geometry> parse_poly(std::string_view text, const std::string& name,
                             const Geometry* points = nullptr);
 
-/// Whether a .poly text holds no points of its own, but refers to a .node file.
+/// Reads TetGen's simpler description of a domain in space: facets of one polygon each.
+Result<Geometry> parse_smesh(std::string_view text, const std::string& name,
+                             const Geometry* points = nullptr);
+
+/// Whether a .poly or .smesh text holds no points of its own, but refers to a .node file.
 bool poly_refers_to_node(std::string_view text);
 
 /// Adds to `geometry` its triangles (3 corners) or tetrahedra (4), with their attributes.
@@ -40,6 +46,10 @@ Status parse_ele(std::string_view text, const std::string& name, Geometry& geome
 /// Reads edges between the points of `geometry`, with their markers (0 where there is none).
 Result<std::vector<Segment>> parse_edge(std::string_view text, const std::string& name,
                                         const Geometry& geometry);
+
+/// Reads triangles between the points of `geometry`, which lie in space, with their markers.
+Result<std::vector<TetMesh::Facet>> parse_face(std::string_view text, const std::string& name,
+                                               const Geometry& geometry);
 
 // The writers mirror the readers: numbers are shortest and read back bit for bit; everything is
 // numbered from geometry.index_base; markers are written where there are any.
@@ -51,7 +61,12 @@ enum class PolyPoints { kInside, kInNodeFile };
 /// Writes the segments, holes and regions, with the points or with a reference to the .node file.
 void write_poly(TextWriter& out, const Geometry& geometry, PolyPoints points);
 
-/// Writes all edges of the triangles and all segments, ascending, with the markers of the segments.
+/// Writes a domain in space whose facets all have one polygon and no holes. Requires: they do.
+void write_smesh(TextWriter& out, const Geometry& geometry, PolyPoints points);
+void write_face(TextWriter& out, const Geometry& geometry);
+
+/// Writes all edges of the triangles and all segments, ascending, with the markers of the segments;
+/// of a mesh in space the segments alone.
 void write_edge(TextWriter& out, const Geometry& geometry);
 
 }  // namespace wellspaced

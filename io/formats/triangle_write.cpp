@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "wellspaced/io/formats/space_domain.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
 
 namespace wellspaced {
@@ -33,6 +34,14 @@ void write_point_lines(TextWriter& out, const std::vector<Point>& points,
 void write_point_header(TextWriter& out, const Geometry& geometry, std::size_t count) {
   out << count << ' ' << geometry.dimension << ' ' << geometry.point_attributes.columns << ' '
       << (geometry.point_markers().empty() ? 0 : 1) << '\n';
+}
+
+void write_points_or_header(TextWriter& out, const Geometry& geometry, PolyPoints points) {
+  if (points == PolyPoints::kInside) {
+    write_node(out, geometry);
+  } else {
+    write_point_header(out, geometry, 0);
+  }
 }
 
 template <std::size_t kCorners>
@@ -80,12 +89,25 @@ void write_ele(TextWriter& out, const Geometry& geometry) {
   }
 }
 
-void write_poly(TextWriter& out, const Geometry& geometry, PolyPoints points) {
-  if (points == PolyPoints::kInside) {
-    write_node(out, geometry);
-  } else {
-    write_point_header(out, geometry, 0);
+void write_smesh(TextWriter& out, const Geometry& geometry, PolyPoints points) {
+  write_points_or_header(out, geometry, points);
+  write_space_domain(out, FacetSyntax::kSmesh, geometry);
+}
+
+void write_face(TextWriter& out, const Geometry& geometry) {
+  const Index base = geometry.index_base;
+  const auto& facets = geometry.solid.facets;
+  out << facets.size() << " 1\n";
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    out << i + base;
+    for (const Index v : facets[i].points) out << ' ' << std::uint64_t{v} + base;
+    out << ' ' << facets[i].marker << '\n';
   }
+}
+
+void write_poly(TextWriter& out, const Geometry& geometry, PolyPoints points) {
+  write_points_or_header(out, geometry, points);
+  if (geometry.dimension == 3) return write_space_domain(out, FacetSyntax::kPoly, geometry);
   const Index base = geometry.index_base;
   write_segments(out, geometry.mesh.segments, base);
   out << geometry.holes.size() << '\n';
@@ -102,6 +124,7 @@ void write_poly(TextWriter& out, const Geometry& geometry, PolyPoints points) {
 
 void write_edge(TextWriter& out, const Geometry& geometry) {
   std::vector<Segment> edges;
+  for (const Segment& s : geometry.solid.segments) edges.push_back(ascending(s.a, s.b, s.marker));
   for (const Segment& s : geometry.mesh.segments) edges.push_back(ascending(s.a, s.b, s.marker));
   for (const auto& [a, b, c] : geometry.mesh.triangles)
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})

@@ -25,7 +25,8 @@ struct VtkGrid {
   std::vector<std::uint8_t> types;  ///< VTK's: kVtkLine, ...
   std::vector<VtkField> point_fields, cell_fields;
 };
-inline constexpr std::uint8_t kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5, kVtkTetra = 10;
+inline constexpr std::uint8_t kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5, kVtkPolygon = 7,
+                              kVtkTetra = 10;
 
 /// The triangles of `mesh`, then its segments as lines (points with z = 0); a cell field "marker"
 /// holds the segments' markers and 0 for triangles, a point field "marker" those of the points.

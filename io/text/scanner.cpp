@@ -52,19 +52,24 @@ std::string in_quotes(std::string_view token) {
   return result + (token.size() > kLongest ? "...'" : "'");
 }
 
-Scanner::Scanner(std::string_view text, std::string file) : file_(std::move(file)), rest_(text) {
+Scanner::Scanner(std::string_view text, std::string file, ScanRules rules)
+    : file_(std::move(file)), rules_(rules), rest_(text) {
   if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark)
     rest_.remove_prefix(kByteOrderMark.size());
 }
 
-bool Scanner::next_line() {
+bool Scanner::next_line_or_empty() {
   line_ = {};
-  while (ok() && !rest_.empty()) {
-    const std::string_view line = take_line(rest_);
-    ++line_number_;
-    line_ = line.substr(0, line.find('#'));
-    if (more()) return true;
-  }
+  if (!ok() || rest_.empty()) return false;
+  line_ = take_line(rest_);
+  ++line_number_;
+  if (rules_.comment != 0) line_ = line_.substr(0, line_.find(rules_.comment));
+  return true;
+}
+
+bool Scanner::next_line() {
+  while (next_line_or_empty())
+    if (more_on_line()) return true;
   return false;
 }
 
@@ -74,10 +79,19 @@ bool Scanner::require_line(std::string_view what) {
   return false;
 }
 
-bool Scanner::more() {
+bool Scanner::next_record(Index count, std::string_view what) {
+  if (next_line()) return true;
+  fail(ErrorCode::kUnreadable,
+       "the file ends before its " + std::to_string(count) + " " + std::string(what) + " do");
+  return false;
+}
+
+bool Scanner::more_on_line() {
   skip_blanks(line_);
   return !line_.empty();
 }
+
+bool Scanner::more() { return more_on_line() || (rules_.across_lines && next_line()); }
 
 std::size_t Scanner::count_fields() const {
   std::string_view rest = line_;
@@ -87,7 +101,7 @@ std::size_t Scanner::count_fields() const {
 }
 
 std::string_view Scanner::field() {
-  skip_blanks(line_);
+  if (!more()) return {};
   return take_token(line_);
 }
 
@@ -126,13 +140,55 @@ int Scanner::marker() {
   return ok() ? static_cast<int>(value) : 0;
 }
 
+std::string_view Scanner::word(std::string_view what) { return required_field(what); }
+
+std::string_view Scanner::rest_of_line() {
+  skip_blanks(line_);
+  std::string_view text = std::exchange(line_, {});
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string_view Scanner::bytes_after_line(std::uint64_t count, std::string_view what) {
+  if (count > rest_.size()) {
+    fail(ErrorCode::kUnreadable, "the file ends within the " + std::string(what));
+    return {};
+  }
+  line_ = {};
+  const std::string_view bytes = rest_.substr(0, static_cast<std::size_t>(count));
+  rest_.remove_prefix(bytes.size());
+  return bytes;
+}
+
+Index Scanner::count(std::string_view what, std::uint64_t fields) {
+  const std::int64_t value = integer("number of " + std::string(what));
+  if (value < 0)
+    fail(ErrorCode::kUnreadable, "the number of " + std::string(what) + " is negative");
+  if (!ok() || !has_room_for(static_cast<std::uint64_t>(value), fields, what)) return 0;
+  if (value >= kNoIndex) fail(ErrorCode::kLimit, "more than 4294967294 " + std::string(what));
+  return ok() ? static_cast<Index>(value) : 0;
+}
+
+Index Scanner::point(std::size_t points, Index base) {
+  const std::int64_t number = integer("point number");
+  const auto count = static_cast<std::int64_t>(points);
+  if (number >= base && number - base < count) return static_cast<Index>(number - base);
+  const std::string range = count == 0 ? "there are none"
+                                       : "they are numbered from " + std::to_string(base) + " to " +
+                                             std::to_string(base + count - 1);
+  fail(ErrorCode::kInvalidGeometry,
+       "point " + std::to_string(number) + " is not among the points: " + range);
+  return 0;
+}
+
 void Scanner::skip_fields(std::size_t count) {
   while (count-- > 0 && more()) field();
 }
 
 bool Scanner::has_room_for(std::uint64_t records, std::uint64_t fields, std::string_view what) {
   // A field takes a digit and a blank or newline; the last newline may be missing.
-  const std::uint64_t most_fields = (rest_.size() + 1) / 2;
+  const std::size_t here = rules_.across_lines ? line_.size() : 0;
+  const std::uint64_t most_fields = (rest_.size() + here + 1) / 2;
   if (fields == 0 || records <= most_fields / fields) return ok();
   fail(ErrorCode::kUnreadable, "the file is too short for the " + std::to_string(records) + " " +
                                    std::string(what) + " that this line announces");

@@ -10,22 +10,32 @@
 
 namespace wellspaced {
 
+/// How the lines of a format are to be understood.
+struct ScanRules {
+  char comment = '#';         ///< begins one; 0: there are none
+  bool across_lines = false;  ///< a field that the present line lacks is looked for in the next
+};
+
 /// Walks through the lines of a text. A comment runs from # to the end of its line; empty lines
 /// are skipped; fields are separated by blanks (space, tab, CR, form feed). A byte order mark and
-/// a missing last newline are legal.
+/// a missing last newline are legal. ScanRules change the first two of these.
 ///
 /// The first failure sticks: from then on next_line() is false and every field reads as 0, so a
 /// parser may read a whole line before it asks ok(). The error names file and line.
 class Scanner {
  public:
   /// `file` is the name for messages. Requires: `text` outlives the scanner.
-  Scanner(std::string_view text, std::string file);
+  Scanner(std::string_view text, std::string file, ScanRules rules = {});
 
   /// Moves to the next line that holds a field. False at the end and after a failure.
   bool next_line();
   /// The same, but the end of the text is a failure: `what` was expected.
   bool require_line(std::string_view what);
-  /// Whether another field follows on the line.
+  /// The same for one of `count` lines with a record each, which `what` names in the plural.
+  bool next_record(Index count, std::string_view what);
+  /// Moves to the next line, whatever it holds: for formats where an empty line means something.
+  bool next_line_or_empty();
+  /// Whether another field follows: on the line, or in the text if fields go across lines.
   bool more();
   /// How many fields the rest of the line holds.
   std::size_t count_fields() const;
@@ -39,7 +49,19 @@ class Scanner {
   std::int64_t integer_or(std::int64_t otherwise, std::string_view what);
   /// The next field as a marker: an int.
   int marker();
+  /// The next field as it stands. "0" if there is none, which is a failure.
+  std::string_view word(std::string_view what);
   void skip_fields(std::size_t count);
+  /// What is left of the present line, without blanks at its ends; the fields there are passed.
+  std::string_view rest_of_line();
+  /// The bytes that follow the present line. Fails, and is empty, where fewer than `count` do.
+  std::string_view bytes_after_line(std::uint64_t count, std::string_view what);
+
+  /// The next field as the number of records that follow, each with at least `fields` fields.
+  Index count(std::string_view what, std::uint64_t fields);
+  /// The next field as the number of one of `points` points, the first of which has number `base`:
+  /// counted from 0. kInvalidGeometry if there is no such point.
+  Index point(std::size_t points, Index base);
 
   /// Fails unless `records` records of at least `fields` fields each can follow in what is left of
   /// the text: so nobody allocates for a count that the file cannot keep.
@@ -57,10 +79,12 @@ class Scanner {
  private:
   std::string_view field();
   std::string_view required_field(std::string_view what);
+  bool more_on_line();
   void fail_field(ErrorCode code, std::string_view what, std::string_view token,
                   std::string_view complaint);
 
   std::string file_;
+  ScanRules rules_;
   std::string_view rest_;  // what follows the present line
   std::string_view line_;  // what is left of the present line
   std::uint64_t line_number_ = 0;

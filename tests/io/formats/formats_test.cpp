@@ -36,7 +36,7 @@ TEST(ReadGeometry, KnowsFormatsByExtensionByNameAndByContent) {
 TEST(ReadGeometry, RefusesWhatItCannotRead) {
   const TemporaryDirectory directory;
   EXPECT_EQ(read_geometry(directory.write("a.vtu", "")).error().code, ErrorCode::kUsage);
-  EXPECT_EQ(read_geometry(directory.write("b", "1 2"), {.format = "obj"}).error().code,
+  EXPECT_EQ(read_geometry(directory.write("b", "1 2"), {.format = "exe"}).error().code,
             ErrorCode::kUsage);
   EXPECT_EQ(
       read_geometry(directory.write("c", "{\"json\": 1, \"is\": [\"no\", \"mesh\"]}")).error().code,
@@ -78,27 +78,42 @@ TEST(ReadMesh, RefusesFilesWithoutTriangles) {
 TEST(WriteGeometry, RefusesUnknownFormats) {
   const TemporaryDirectory directory;
   OutputSet outputs;
-  EXPECT_EQ(write_geometry(outputs, directory / "a.obj", "", {}).error().code, ErrorCode::kUsage);
-  EXPECT_EQ(write_geometry(outputs, directory / "a", "obj", {}).error().code, ErrorCode::kUsage);
+  EXPECT_EQ(write_geometry(outputs, directory / "a.exe", "", {}).error().code, ErrorCode::kUsage);
+  EXPECT_EQ(write_geometry(outputs, directory / "a", "exe", {}).error().code, ErrorCode::kUsage);
   Geometry solid;
   solid.dimension = 3;
   EXPECT_EQ(write_geometry(outputs, directory / "a.svg", "", solid).error().code,
             ErrorCode::kUsage);
 }
 
-TEST(Formats, WriteWhatTheyReadBack) {
-  const TemporaryDirectory directory;
+// A square of two triangles with one marked edge.
+Geometry square() {
   Geometry g;
-  g.mesh.points = {{0.1, 0.2}, {-0.0, 1e300}, {5e-324, 3}};
+  g.mesh.points = {{0.1, 0.2}, {3, -0.0}, {2.5, 1e30}, {5e-324, 3}};
+  g.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  g.mesh.segments = {{0, 1, 5}};
+  return g;
+}
+
+TEST(Formats, WriteMeshesThatTheyReadBack) {
   for (const Format& format : formats()) {
-    if (format.parse == nullptr || format.write == nullptr) continue;
+    if (format.parse == nullptr || format.extensions.empty()) continue;
+    const TemporaryDirectory directory;
     const std::string extension(format.extensions.substr(0, format.extensions.find(' ')));
+    const std::string path = directory / ("a" + extension);
     OutputSet outputs;
-    ASSERT_TRUE(write_geometry(outputs, directory / ("a" + extension), "", g).ok());
+    const Status status = write_geometry(outputs, path, std::string(format.name), square());
+    if (!status.ok()) {
+      EXPECT_EQ(status.error().code, ErrorCode::kUsage) << format.name;
+      continue;
+    }
     ASSERT_TRUE(outputs.commit().ok());
-    const auto back = read_geometry(directory / ("a" + extension));
+    const auto back = read_geometry(path);
     ASSERT_TRUE(back.ok()) << back.error().message;
-    EXPECT_EQ(back->mesh.points, g.mesh.points) << extension;
+    EXPECT_EQ(back->dimension, 2) << format.name;
+    EXPECT_EQ(back->mesh.points, square().mesh.points) << format.name;
+    const bool points_only = format.name == "f64" || format.name == "xyz";
+    EXPECT_EQ(back->mesh.triangles.empty(), points_only) << format.name;
   }
 }
 

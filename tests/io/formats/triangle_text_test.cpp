@@ -171,11 +171,6 @@ TEST(ParsePoly, RefusesMiscountedSections) {
                "not finite");
 }
 
-TEST(ParsePoly, RefusesDomainsInSpace) {
-  expect_error(parse_poly("1 3 0 0\n1 0 0 0\n0 0\n0", "x.poly"), ErrorCode::kUnreadable,
-               "in space");
-}
-
 // ---- .ele and .edge ------------------------------------------------------------------------
 
 TEST(ParseEle, ReadsTrianglesWithAttributes) {
