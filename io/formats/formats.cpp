@@ -5,7 +5,11 @@
 #include <utility>
 
 #include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/io/formats/gmsh.hpp"
+#include "wellspaced/io/formats/medit.hpp"
+#include "wellspaced/io/formats/metis.hpp"
 #include "wellspaced/io/formats/point_files.hpp"
+#include "wellspaced/io/formats/solver_files.hpp"
 #include "wellspaced/io/formats/surface_files.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
@@ -116,28 +120,51 @@ Status write_as_svg(OutputSet& outputs, const std::string& path, const Geometry&
   return outputs.add(path, [&](TextWriter& out) { write_mesh_svg(out, geometry.mesh); });
 }
 
-// In the order in which contents are tried. To add a format, add a line.
+template <GmshVersion kVersion, GmshEncoding kEncoding>
+Status write_as_gmsh(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+  return write_gmsh(outputs, path, geometry, {kVersion, kEncoding});
+}
+
+// In the order in which contents are tried: first those that announce themselves. To add a format,
+// add a line. Those without an extension are other ways to write one.
 constexpr auto kFormats = std::to_array<Format>({
+    {"gmsh", ".msh", "Gmsh 4.1, plain text", parse_gmsh, recognise_gmsh,
+     write_as_gmsh<GmshVersion::k41, GmshEncoding::kAscii>},
+    {"gmsh22", "", "Gmsh 2.2, plain text", parse_gmsh, nullptr,
+     write_as_gmsh<GmshVersion::k22, GmshEncoding::kAscii>},
+    {"gmsh-binary", "", "Gmsh 4.1, binary", parse_gmsh, nullptr,
+     write_as_gmsh<GmshVersion::k41, GmshEncoding::kBinary>},
+    {"gmsh22-binary", "", "Gmsh 2.2, binary", parse_gmsh, nullptr,
+     write_as_gmsh<GmshVersion::k22, GmshEncoding::kBinary>},
+    {"vtu", ".vtu", "VTK XML, base64", parse_vtu, recognise_vtu,
+     write_one<write_as_vtu<VtuEncoding::kBase64>>},
+    {"vtu-ascii", "", "VTK XML, plain text", parse_vtu, nullptr,
+     write_one<write_as_vtu<VtuEncoding::kAscii>>},
+    {"vtu-raw", "", "VTK XML, raw binary", parse_vtu, nullptr,
+     write_one<write_as_vtu<VtuEncoding::kRaw>>},
+    {"vtk", ".vtk", "legacy VTK, plain text", parse_vtk, recognise_vtk,
+     write_as_vtk<VtkEncoding::kAscii>},
+    {"vtk-binary", "", "legacy VTK, binary", parse_vtk, nullptr,
+     write_as_vtk<VtkEncoding::kBinary>},
+    {"medit", ".mesh", "Medit: mmg, FreeFEM", parse_medit, recognise_medit, write_medit},
+    {"mfem", ".mfem .mesh", "MFEM mesh v1.0", parse_mfem, recognise_mfem, write_mfem},
+    {"su2", ".su2", "SU2", parse_su2, recognise_su2, write_su2},
     {"off", ".off", "Object File Format: a surface", parse_off, recognise_off, write_off},
-    {"obj", ".obj", "Wavefront OBJ: a surface", parse_obj, recognise_obj, write_obj},
     {"stl", ".stl", "STL: triangles, plain text", parse_stl, recognise_stl, write_stl},
     {"stl-binary", "", "STL: triangles, 32-bit binary", parse_stl, nullptr, write_stl_binary},
+    {"obj", ".obj", "Wavefront OBJ: a surface", parse_obj, recognise_obj, write_obj},
     {"triangle", ".node .ele .edge .face", "Triangle's and TetGen's .node, .ele, .poly, ...",
      parse_node, recognise_node, write_set},
     {"poly", ".poly", "Triangle's and TetGen's domains", parse_poly_alone, recognise_poly,
      write_poly_or_set},
     {"smesh", ".smesh", "TetGen's simpler domains in space", parse_smesh_alone, nullptr,
      write_smesh_file},
+    {"fort14", ".14 .grd", "ADCIRC's fort.14", parse_fort14, recognise_fort14, nullptr},
     {"f64", ".f64", "points as little-endian doubles", parse_f64, looks_like_f64,
      write_one<write_f64>},
     {"xyz", ".xyz", "points, one a line", parse_xyz, recognise_xyz, write_one<write_xyz>},
-    {"vtu", ".vtu", "VTK XML, base64", nullptr, nullptr,
-     write_one<write_as_vtu<VtuEncoding::kBase64>>},
-    {"vtu-ascii", "", "VTK XML, plain text", nullptr, nullptr,
-     write_one<write_as_vtu<VtuEncoding::kAscii>>},
-    {"vtu-raw", "", "VTK XML, raw binary", nullptr, nullptr,
-     write_one<write_as_vtu<VtuEncoding::kRaw>>},
-    {"vtk", ".vtk", "legacy VTK, plain text", nullptr, nullptr, write_as_vtk<VtkEncoding::kAscii>},
+    {"metis", ".graph", "METIS .graph and coordinates in .xyz", nullptr, nullptr, write_metis,
+     read_metis},
     {"svg", ".svg", "a picture", nullptr, nullptr, write_as_svg},
 });
 
@@ -157,7 +184,7 @@ const Format* find_by_name(std::string_view name) {
 }
 
 // ".obj" for "dir/X.OBJ"; empty if there is none.
-std::string extension_of(const std::string& path) {
+std::string lower_extension_of(const std::string& path) {
   const std::size_t slash = path.find_last_of('/');
   const std::size_t dot = path.find_last_of('.');
   if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
@@ -168,7 +195,7 @@ std::string extension_of(const std::string& path) {
 }
 
 const Format* find_by_extension(const std::string& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension_of(path);
   if (extension.empty()) return nullptr;
   const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
     return has_word(format.extensions, extension);
@@ -178,7 +205,7 @@ const Format* find_by_extension(const std::string& path) {
 
 // Several formats may have the same extension: then the content decides.
 const Format* find_by_extension(const std::string& path, std::string_view text) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension_of(path);
   if (extension.empty()) return nullptr;
   const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& format) {
     return has_word(format.extensions, extension) && format.recognise != nullptr &&
@@ -202,7 +229,7 @@ std::string names_of(bool (*wanted)(const Format&)) {
 }
 
 std::string readable_names() {
-  return names_of([](const Format& format) { return format.parse != nullptr; });
+  return names_of([](const Format& format) { return format.readable(); });
 }
 
 std::string writable_names() {
@@ -252,12 +279,14 @@ Result<Geometry> read_geometry(const std::string& given, const ReadOptions& opti
       options.format.empty() ? find_by_extension(path) : find_by_name(options.format);
   if (!options.format.empty() && format == nullptr)
     return usage("unknown format " + in_quotes(options.format) + "; there are " + readable_names());
-  if (format != nullptr && format->parse == nullptr)
+  if (format != nullptr && !format->readable())
     return usage(display_name(path) + ": " + std::string(format->name) +
                  " files cannot be read; readable are " + readable_names());
   if (options.format.empty() && triangle_set_name(path) != path)
     return options.siblings == Siblings::kRead ? read_triangle_set(path, options.largest)
                                                : read_triangle_file(path, options.largest);
+  if (format != nullptr && format->read_files != nullptr)
+    return format->read_files(path, options.largest);
   const auto text = read_input(path, options.largest);
   if (!text) return text.error();
   return parse_text(*text, path, options.format);

@@ -24,6 +24,10 @@ struct Format {
   /// Whether a text of unknown origin seems to be in this format.
   bool (*recognise)(std::string_view text);
   Status (*write)(OutputSet& outputs, const std::string& path, const Geometry& geometry);
+  /// For a format of several files: reads those that `path` stands for.
+  Result<Geometry> (*read_files)(const std::string& path, std::uint64_t largest) = nullptr;
+
+  bool readable() const { return parse != nullptr || read_files != nullptr; }
 };
 std::span<const Format> formats();
 

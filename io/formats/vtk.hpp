@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
+#include "wellspaced/io/formats/geometry.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
@@ -25,7 +27,8 @@ struct VtkGrid {
   std::vector<std::uint8_t> types;  ///< VTK's: kVtkLine, ...
   std::vector<VtkField> point_fields, cell_fields;
 };
-inline constexpr std::uint8_t kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5, kVtkPolygon = 7,
+inline constexpr std::uint8_t kVtkEmpty = 0, kVtkVertex = 1, kVtkPolyVertex = 2, kVtkLine = 3,
+                              kVtkPolyLine = 4, kVtkTriangle = 5, kVtkPolygon = 7, kVtkQuad = 9,
                               kVtkTetra = 10;
 
 /// The triangles of `mesh`, then its segments as lines (points with z = 0); a cell field "marker"
@@ -45,5 +48,23 @@ void write_vtu(TextWriter& out, const VtkGrid& grid, VtuEncoding encoding = VtuE
 enum class VtkEncoding { kAscii, kBinary };
 /// Writes version 3.0, which every reader knows. Blanks in field names become '_'.
 void write_vtk(TextWriter& out, const VtkGrid& grid, VtkEncoding encoding = VtkEncoding::kAscii);
+
+// Readers. The point and cell fields "marker" ("gmsh:physical", "medit:ref", "CellEntityIds")
+// become markers, "attribute0", "attribute1", ... attributes; others are passed over. Lines are
+// segments, polygons facets; vertices are nothing but points. Without tetrahedra and with z = 0
+// throughout it is a mesh in the plane. Errors: kUnreadable for malformed files and other cells;
+// kInvalidGeometry for an index out of range, NaN and infinity. Nothing is allocated for a count
+// that the file is too short to keep.
+
+/// Reads a legacy file: versions up to 5.1, text or binary, UNSTRUCTURED_GRID or POLYDATA.
+Result<Geometry> parse_vtk(std::string_view bytes, const std::string& name);
+bool recognise_vtk(std::string_view bytes);
+
+/// Reads a .vtu: text, base64, or appended as base64 or raw bytes; several pieces become one.
+Result<Geometry> parse_vtu(std::string_view bytes, const std::string& name);
+bool recognise_vtu(std::string_view bytes);
+
+/// The geometry that a grid from a file describes. Errors: as the readers.
+Result<Geometry> geometry_of(const VtkGrid& grid, const std::string& name);
 
 }  // namespace wellspaced

@@ -12,17 +12,19 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_blank(char c, char another) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f' || c == another;
+}
 
-void skip_blanks(std::string_view& text) {
+void skip_blanks(std::string_view& text, char another) {
   std::size_t i = 0;
-  while (i < text.size() && is_blank(text[i])) ++i;
+  while (i < text.size() && is_blank(text[i], another)) ++i;
   text.remove_prefix(i);
 }
 
-std::string_view take_token(std::string_view& text) {
+std::string_view take_token(std::string_view& text, char another) {
   std::size_t i = 0;
-  while (i < text.size() && !is_blank(text[i])) ++i;
+  while (i < text.size() && !is_blank(text[i], another)) ++i;
   const std::string_view token = text.substr(0, i);
   text.remove_prefix(i);
   return token;
@@ -63,7 +65,10 @@ bool Scanner::next_line_or_empty() {
   if (!ok() || rest_.empty()) return false;
   line_ = take_line(rest_);
   ++line_number_;
-  if (rules_.comment != 0) line_ = line_.substr(0, line_.find(rules_.comment));
+  const std::size_t comment =
+      rules_.comment == 0 ? std::string_view::npos : line_.find(rules_.comment);
+  has_comment_ = comment != std::string_view::npos;
+  line_ = line_.substr(0, comment);
   return true;
 }
 
@@ -87,7 +92,7 @@ bool Scanner::next_record(Index count, std::string_view what) {
 }
 
 bool Scanner::more_on_line() {
-  skip_blanks(line_);
+  skip_blanks(line_, rules_.blank);
   return !line_.empty();
 }
 
@@ -96,13 +101,14 @@ bool Scanner::more() { return more_on_line() || (rules_.across_lines && next_lin
 std::size_t Scanner::count_fields() const {
   std::string_view rest = line_;
   std::size_t count = 0;
-  for (skip_blanks(rest); !rest.empty(); skip_blanks(rest), ++count) take_token(rest);
+  for (skip_blanks(rest, rules_.blank); !rest.empty(); skip_blanks(rest, rules_.blank), ++count)
+    take_token(rest, rules_.blank);
   return count;
 }
 
 std::string_view Scanner::field() {
   if (!more()) return {};
-  return take_token(line_);
+  return take_token(line_, rules_.blank);
 }
 
 std::string_view Scanner::required_field(std::string_view what) {
@@ -113,12 +119,19 @@ std::string_view Scanner::required_field(std::string_view what) {
 
 double Scanner::number(std::string_view what) {
   const std::string_view token = required_field(what);
+  const double value = to_number(token, what);
+  if (!std::isfinite(value)) fail_field(ErrorCode::kInvalidGeometry, what, token, "is not finite");
+  return ok() ? value : 0;
+}
+
+double Scanner::any_number(std::string_view what) { return to_number(required_field(what), what); }
+
+double Scanner::to_number(std::string_view token, std::string_view what) {
   const auto [value, status] = parse_number(token);
   if (status == NumberStatus::kMalformed)
     fail_field(ErrorCode::kUnreadable, what, token, "is not a number");
   if (status == NumberStatus::kTooLarge)
     fail_field(ErrorCode::kUnreadable, what, token, "is too large for a double");
-  if (!std::isfinite(value)) fail_field(ErrorCode::kInvalidGeometry, what, token, "is not finite");
   return ok() ? value : 0;
 }
 
@@ -143,9 +156,9 @@ int Scanner::marker() {
 std::string_view Scanner::word(std::string_view what) { return required_field(what); }
 
 std::string_view Scanner::rest_of_line() {
-  skip_blanks(line_);
+  skip_blanks(line_, rules_.blank);
   std::string_view text = std::exchange(line_, {});
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  while (!text.empty() && is_blank(text.back(), rules_.blank)) text.remove_suffix(1);
   return text;
 }
 

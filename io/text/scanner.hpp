@@ -13,6 +13,7 @@ namespace wellspaced {
 /// How the lines of a format are to be understood.
 struct ScanRules {
   char comment = '#';         ///< begins one; 0: there are none
+  char blank = ' ';           ///< separates fields, beside white space
   bool across_lines = false;  ///< a field that the present line lacks is looked for in the next
 };
 
@@ -37,12 +38,18 @@ class Scanner {
   bool next_line_or_empty();
   /// Whether another field follows: on the line, or in the text if fields go across lines.
   bool more();
+  /// Whether another field follows on the line.
+  bool more_on_line();
+  /// Whether a comment ends the present line.
+  bool has_comment() const { return has_comment_; }
   /// How many fields the rest of the line holds.
   std::size_t count_fields() const;
 
   /// The next field as a finite number. Fails if there is none; kInvalidGeometry for NaN and
   /// infinities. `what` names the field in the message.
   double number(std::string_view what);
+  /// The next field as a number, be it infinite or none (NaN).
+  double any_number(std::string_view what);
   /// The next field as an integer.
   std::int64_t integer(std::string_view what);
   /// The next field as an integer, or `otherwise` if the line ends here.
@@ -79,7 +86,7 @@ class Scanner {
  private:
   std::string_view field();
   std::string_view required_field(std::string_view what);
-  bool more_on_line();
+  double to_number(std::string_view token, std::string_view what);
   void fail_field(ErrorCode code, std::string_view what, std::string_view token,
                   std::string_view complaint);
 
@@ -88,6 +95,7 @@ class Scanner {
   std::string_view rest_;  // what follows the present line
   std::string_view line_;  // what is left of the present line
   std::uint64_t line_number_ = 0;
+  bool has_comment_ = false;
   std::optional<Error> error_;
 };
 

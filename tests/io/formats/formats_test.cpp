@@ -35,7 +35,7 @@ TEST(ReadGeometry, KnowsFormatsByExtensionByNameAndByContent) {
 
 TEST(ReadGeometry, RefusesWhatItCannotRead) {
   const TemporaryDirectory directory;
-  EXPECT_EQ(read_geometry(directory.write("a.vtu", "")).error().code, ErrorCode::kUsage);
+  EXPECT_EQ(read_geometry(directory.write("a.svg", "")).error().code, ErrorCode::kUsage);
   EXPECT_EQ(read_geometry(directory.write("b", "1 2"), {.format = "exe"}).error().code,
             ErrorCode::kUsage);
   EXPECT_EQ(
@@ -97,7 +97,7 @@ Geometry square() {
 
 TEST(Formats, WriteMeshesThatTheyReadBack) {
   for (const Format& format : formats()) {
-    if (format.parse == nullptr || format.extensions.empty()) continue;
+    if (!format.readable() || format.write == nullptr || format.extensions.empty()) continue;
     const TemporaryDirectory directory;
     const std::string extension(format.extensions.substr(0, format.extensions.find(' ')));
     const std::string path = directory / ("a" + extension);
@@ -113,7 +113,8 @@ TEST(Formats, WriteMeshesThatTheyReadBack) {
     EXPECT_EQ(back->dimension, 2) << format.name;
     EXPECT_EQ(back->mesh.points, square().mesh.points) << format.name;
     const bool points_only = format.name == "f64" || format.name == "xyz";
-    EXPECT_EQ(back->mesh.triangles.empty(), points_only) << format.name;
+    const bool no_triangles = points_only || format.name == "metis";
+    EXPECT_EQ(back->mesh.triangles.empty(), no_triangles) << format.name;
   }
 }
 
