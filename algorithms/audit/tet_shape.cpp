@@ -19,8 +19,6 @@ namespace {
 constexpr std::array<double, 11> kTetAspectBounds = {3,  3.5, 4,   5,    7,        10,
                                                      20, 50,  100, 1000, kInfinity};
 
-double length(Point3 a) { return std::sqrt(dot(a, a)); }
-
 TetCorners scaled(const TetCorners& tet, double scale) {
   return {scale * tet[0], scale * tet[1], scale * tet[2], scale * tet[3]};
 }
