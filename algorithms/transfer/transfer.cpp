@@ -360,10 +360,11 @@ class TransferBuilder {
   // Whether v, on the boundary edge of a triangle, belongs to the other side of it: the other lip
   // of a slit.
   bool is_across(Index triangle, Index v) const {
-    const auto [a, b] = coarse_.boundary_edge_at(triangle, finer_.points[v]);
-    if (a == kNoIndex) return false;
+    const auto edge = coarse_.boundary_edge_at(triangle, finer_.points[v]);
+    if (edge[0] == kNoIndex) return false;
     return std::ranges::none_of(graph_.arcs_of(v), [&](const Graph::Arc& arc) {
-      return orient2d(coarse_.point(a), coarse_.point(b), finer_.points[arc.target]) > 0;
+      return orient2d(coarse_.point(edge[0]), coarse_.point(edge[1]), finer_.points[arc.target]) >
+             0;
     });
   }
 
