@@ -178,7 +178,8 @@ Quadtree quadtree_of_sizes(const Square& square, std::span<const Point2> points,
                                                    [&](double side) { return side > sizes[i]; });
     if (small_enough == sides.begin()) continue;
     const int depth = static_cast<int>(small_enough - sides.begin()) - 1;
-    splits[depth].push_back(morton::ancestor(square.cell_of(points[i]), depth));
+    const MortonCode box = morton::ancestor(square.cell_of(points[i]), depth);
+    if (splits[depth].empty() || splits[depth].back() != box) splits[depth].push_back(box);
   }
   return balanced_quadtree(square, std::move(splits), balance);
 }

@@ -48,6 +48,29 @@ Square tree_square(std::span<const Point2> points, double unit, double beta) {
 
 // ---- Candidates
 
+void reserve_candidates(QuadtreeStage& stage, std::size_t count) {
+  stage.origin.reserve(count);
+  stage.cells.reserve(count);
+  stage.points.reserve(count);
+}
+
+// Makes all points candidates, along the Z curve. Returns their numbers as such.
+std::vector<Index> order_candidates(std::span<const Point2> points, const Square& square,
+                                    QuadtreeStage& stage) {
+  std::vector<KeyedItem> order(points.size());
+  for (Index v = 0; v < points.size(); ++v) order[v] = {square.cell_of(points[v]), v};
+  radix_sort(order);
+  reserve_candidates(stage, points.size());
+  std::vector<Index> number(points.size());
+  for (const auto& [cell, v] : order) {
+    number[v] = stage.nodes();
+    stage.origin.push_back(v);
+    stage.cells.push_back(cell);
+    stage.points.push_back(points[v]);
+  }
+  return number;
+}
+
 void find_leaves(QuadtreeStage& stage) {
   const Quadtree& tree = stage.tree;
   stage.first.assign(tree.leaves() + std::size_t{1}, 0);
@@ -165,6 +188,9 @@ std::vector<std::uint8_t> surviving_candidates(const QuadtreeStage& stage,
 void inherit_candidates(const QuadtreeStage& from, std::span<const std::uint8_t> stays,
                         QuadtreeStage& to) {
   std::vector<Index> number(from.nodes(), kNoIndex);
+  const auto count = static_cast<std::size_t>(std::count(stays.begin(), stays.end(), 1));
+  reserve_candidates(to, count);
+  to.finer.reserve(count);
   for (Index v = 0; v < from.nodes(); ++v) {
     if (!stays[v]) continue;
     number[v] = to.nodes();
@@ -181,28 +207,20 @@ void inherit_candidates(const QuadtreeStage& from, std::span<const std::uint8_t>
 
 QuadtreeStage first_stage(const Level& finest, const Boundary& boundary, double beta) {
   const std::vector<Point2>& points = finest.mesh.points;
-  std::vector<double> sizes(points.size(), std::numeric_limits<double>::infinity());
-  for (Index v = 0; v < points.size(); ++v)
-    if (finest.spacing[v] > 0) sizes[v] = kFirstSize * beta * finest.spacing[v];
   // In a uniform mesh leaves are 1 / sqrt 2 as wide as they may be, so that a node whose f_0 is
   // somewhat smaller or larger than the others' makes no difference.
   const double unit = std::sqrt(0.5) * kFirstSize * beta * mean_of_positive(finest.spacing);
+  const Square square = tree_square(points, unit, beta);
 
   QuadtreeStage stage;
-  const Square square = tree_square(points, unit, beta);
-  stage.tree = quadtree_of_sizes(square, points, sizes, QuadtreeBalance::kEdge);
-  stage.topology = QuadtreeTopology(stage.tree);
-
-  std::vector<KeyedItem> order(points.size());
-  for (Index v = 0; v < points.size(); ++v) order[v] = {square.cell_of(points[v]), v};
-  radix_sort(order);
-  std::vector<Index> number(points.size());
-  for (const auto& [cell, v] : order) {
-    number[v] = stage.nodes();
-    stage.origin.push_back(v);
-    stage.cells.push_back(cell);
-    stage.points.push_back(points[v]);
+  const std::vector<Index> number = order_candidates(points, square, stage);
+  std::vector<double> sizes(points.size(), std::numeric_limits<double>::infinity());
+  for (Index v = 0; v < stage.nodes(); ++v) {
+    const double spacing = finest.spacing[stage.origin[v]];
+    if (spacing > 0) sizes[v] = kFirstSize * beta * spacing;
   }
+  stage.tree = quadtree_of_sizes(square, stage.points, sizes, QuadtreeBalance::kEdge);
+  stage.topology = QuadtreeTopology(stage.tree);
   stage.boundary = renumbered(boundary, number, stage.nodes());
   renumber_fixed(finest.mesh.fixed, number, stage);
   find_leaves(stage);

@@ -45,9 +45,7 @@ std::string hash_of(const Hierarchy& hierarchy) {
 TriangleMesh airfoil() { return *generate_graded_mesh(GradedDomain::kAirfoil, {.nodes = 3000}); }
 
 std::string hash_of_coarsening(CoarseningMethod method) {
-  CoarseningOptions options;
-  options.method = method;
-  return hash_of(*coarsen(airfoil(), options));
+  return hash_of(*coarsen(airfoil(), theorem_options(method)));
 }
 
 TEST(Determinism, OfTriangulatedPoints) {
@@ -98,6 +96,11 @@ TEST(Determinism, OfFunctionBasedCoarsening) {
 TEST(Determinism, OfMisBasedCoarsening) {
   EXPECT_EQ(hash_of_coarsening(CoarseningMethod::kMis),
             "d89ab5ab6cddf032f236904ff9ae495a27f4a01b099b01cb280533e3979bac5a");
+}
+
+TEST(Determinism, OfCoarseningByQuadtree) {
+  EXPECT_EQ(hash_of_coarsening(CoarseningMethod::kQuadtree),
+            "f5974f8a9d898d1d4e7c6a3e038358ba31d9b0ab4d148922100e3d32cad112dd");
 }
 
 }  // namespace

@@ -252,6 +252,22 @@ TEST(CoarsenCommand, GivesTheMethodsOfChapterSixTheirConstants) {
   EXPECT_EQ(run_program({"coarsen", directory / "square", "--method", "mis,mis"}).exit_code, 2);
 }
 
+TEST(CoarsenCommand, SelectsByQuadtreeWhatTheAuditPasses) {
+  const TemporaryDirectory directory;
+  write_square(directory, 24);
+  const ProgramRun run = run_program(
+      {"coarsen", directory / "square", "--method", "quadtree", "-o", directory / "out"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "quadtree, coarse-to-fine, euclidean metric: beta 2, C 2, R 0.2"))
+      << run.out;
+  EXPECT_FALSE(test::read_bytes(directory / "out/level_2.node").empty());
+  EXPECT_EQ(run_program({"audit", directory / "out"}).exit_code, 0);
+  EXPECT_EQ(run_program({"coarsen", directory / "square", "--method", "quadtree", "--scheme",
+                         "fine-to-coarse"})
+                .exit_code,
+            2);
+}
+
 TEST(CoarsenCommand, ReadsASpacing) {
   const TemporaryDirectory directory;
   write_square(directory, 4);
