@@ -148,6 +148,7 @@ CoarseningOptions multigrid_profile() {
   CoarseningOptions options;
   options.beta = 4;
   options.factor = 2;
+  options.order = SelectionOrder::kPriority;
   options.until_nodes = 600;
   return options;
 }

@@ -82,7 +82,8 @@ struct CoarseningOptions {
 
 /// What a multigrid solver is served best by: many mild steps (beta 4, C 2) down to at most 600
 /// nodes. Convergence follows the largest number of triangles that a coarser one meets, and that
-/// follows C; the angles matter little.
+/// follows C; the angles matter little. Nodes are taken by priority, not at random: then that
+/// number is smaller, at a few more nodes.
 CoarseningOptions multigrid_profile();
 
 /// R: the one that options give, or else the method's default.

@@ -146,8 +146,8 @@ Request read_request(Arguments& arguments, std::uint64_t seed) {
   if (arguments.has("--metric"))
     request.metric = static_cast<SpacingMetric>(
         arguments.choice("--metric", 0, {"graph", "euclidean", "geodesic"}));
-  options.order =
-      static_cast<SelectionOrder>(arguments.choice("--order", 0, {"random", "priority"}));
+  options.order = static_cast<SelectionOrder>(
+      arguments.choice("--order", request.multigrid ? 1 : 0, {"random", "priority"}));
   options.limit_by_boundary = arguments.has("--boundary-lfs");
   request.methods = read_methods(arguments);
   request.statistics =
@@ -486,7 +486,7 @@ Result<int> run(Arguments& arguments, Session& session) {
 
 constexpr std::array kOptions = {
     Option{"--profile", "multigrid|thesis",
-           "where what is not given comes from: beta 4, C 2, at most 600 nodes left (default), "
+           "where what is not given comes from: beta 4, C 2, down to 600 nodes (default), "
            "or beta 25, C 8 (if a method, scheme, metric, beta, factor or R is given)"},
     Option{"--method", "NAME,...",
            "function (default), mis, threshold, quasi-uniform, quadtree; several: side by side"},
@@ -502,7 +502,8 @@ constexpr std::array kOptions = {
            "quasi-uniform: 3, quadtree: 2, the next power of 2 is taken)"},
     Option{"--protect", "R", "distance that nodes keep from boundary edges (0.2; mis: 0.15)"},
     Option{"--order", "NAME",
-           "of nodes within a level: random, by --seed; priority: largest spacing first"},
+           "of nodes within a level: random, by --seed; priority: largest spacing first (default "
+           "of the profile multigrid)"},
     Option{"--boundary-lfs", "", "keep the boundary: spacing at most its local feature size"},
     Option{"--spacing", "FILE", "the spacing of the input, one value a node; then it is coarsened"},
     Option{"--fixed", "FILE", "0-based numbers of the nodes to keep in all levels"},
