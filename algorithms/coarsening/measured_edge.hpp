@@ -1,7 +1,6 @@
 // An edge in units of its own length, to be asked about many points near it.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
