@@ -64,7 +64,7 @@ struct CoarseningOptions {
   SelectionOrder order = SelectionOrder::kRandom;
   std::uint64_t seed = 1;  ///< of the random order
   /// For kPriority: one value a node of the input, no NaN; default: the level's spacing, so that
-  /// nodes with large balls come first.
+  /// nodes with large balls come first; for kMis none, so that nodes come by number.
   std::optional<std::vector<double>> priority = std::nullopt;
   /// The special points F; default: automatic_special_points. Ends of inner curves, tips of slits
   /// and nodes in no edge are added, for the boundary hangs on them.

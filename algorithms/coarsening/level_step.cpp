@@ -121,7 +121,8 @@ std::vector<std::uint64_t> order_keys(const Level& finer, std::span<const double
   if (options.order == SelectionOrder::kRandom)
     return random_keys(finer.origin, static_cast<std::uint32_t>(level), options.seed);
   if (options.priority) return priority_keys(restricted(*options.priority, finer.origin));
-  return priority_keys(is_mis_based(options) ? finer.spacing : f);
+  return priority_keys(is_mis_based(options) ? std::vector<double>(finer.origin.size(), 0)
+                                             : std::vector<double>(f.begin(), f.end()));
 }
 
 }  // namespace

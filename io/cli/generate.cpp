@@ -4,6 +4,7 @@
 
 #include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
+#include "wellspaced/algorithms/generate/mis_degradation.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
 #include "wellspaced/algorithms/generate/points3.hpp"
 #include "wellspaced/io/cli/command.hpp"
@@ -14,7 +15,7 @@
 namespace wellspaced::cli {
 namespace {
 
-constexpr std::array<Option, 9> kOptions = {{
+constexpr std::array<Option, 10> kOptions = {{
     {"--nodes", "N", "number of nodes or points (default 20000)"},
     {"--grading", "OCTAVES", "crack, annulus, airfoil, spiral: spacing grows by 2^OCTAVES"},
     {"--boundary", "", "crack, annulus, airfoil: the boundary alone, as a domain"},
@@ -24,6 +25,7 @@ constexpr std::array<Option, 9> kOptions = {{
     {"--aspect", "A", "grid: height of a cell of width 1 (default 1)"},
     {"--diagonals", "RULE", "grid: slash (default), alternating, random or mixed:P"},
     {"--shuffle", "", "point sets: in random order"},
+    {"--levels", "K", "degradation: levels of the pattern of Figure 6.1, 1 to 8 (default 5)"},
 }};
 
 constexpr double kMostPoints = 1 << 28;
@@ -74,6 +76,15 @@ Result<Geometry> make_grid(const Request& request) {
   read_diagonals(request, options);
   if (Status status = request.arguments.status(); !status) return status.error();
   auto mesh = generate_grid(options);
+  if (!mesh) return mesh.error();
+  return to_geometry(std::move(*mesh));
+}
+
+Result<Geometry> make_mis_degradation(const Request& request) {
+  const auto levels =
+      static_cast<unsigned>(request.arguments.integer("--levels", 5, between(1, 8)));
+  if (Status status = request.arguments.status(); !status) return status.error();
+  auto mesh = generate_mis_degradation(levels);
   if (!mesh) return mesh.error();
   return to_geometry(std::move(*mesh));
 }
@@ -160,11 +171,12 @@ Result<Geometry> make_spiral(const Request& request) {
 constexpr std::string_view kGraded = " --nodes --grading --boundary ";
 constexpr std::string_view kPoints = " --nodes --shuffle ";
 
-constexpr std::array<Kind, 18> kKinds = {{
+constexpr std::array<Kind, 19> kKinds = {{
     {"grid", " --nx --ny --aspect --diagonals ", make_grid},
     {"crack", kGraded, make_graded<GradedDomain::kCrack>},
     {"annulus", kGraded, make_graded<GradedDomain::kAnnulus>},
     {"airfoil", kGraded, make_graded<GradedDomain::kAirfoil>},
+    {"degradation", " --levels ", make_mis_degradation},
     {"random", kPoints,
      [](const Request& r) {
        return make_points(r, [n = r.nodes(), &r] { return random_points(n, r.seed()); });
@@ -279,7 +291,8 @@ const Command kGenerate = {
     .name = "generate",
     .operands = "KIND",
     .summary =
-        "make a test mesh (grid, crack, annulus, airfoil) or point set (random, clusters, "
+        "make a test mesh (grid, crack, annulus, airfoil, degradation) or point set (random, "
+        "clusters, "
         "circle, spiral, lattice, parabola, collinear, copies; in space box3, lattice3, sphere3, "
         "moment3, lines3, helix3)",
     .least_operands = 1,
