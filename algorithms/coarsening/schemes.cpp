@@ -22,6 +22,12 @@ double first_factor(const CoarseningOptions& options) {
                                                        : options.factor;
 }
 
+// A threshold may rise through a gap in the spacing without dropping a node: then it is raised on.
+bool raises_a_threshold(const CoarseningOptions& options) {
+  return options.method == CoarseningMethod::kThreshold ||
+         options.method == CoarseningMethod::kQuasiUniform;
+}
+
 // C_i = C^i, and what the first factor has beyond C.
 double factor_from_finest(const CoarseningOptions& options, std::size_t i) {
   double factor = first_factor(options);
@@ -61,7 +67,7 @@ class SchemeRun {
   bool may_go_on() const;
   bool stops(const Result<CoarseningStep>& step);
   void append(CoarseningStep step);
-  std::size_t most_levels() const;
+  std::size_t levels_to_the_end() const;
   void stack(std::vector<CoarseningStep> coarse_to_fine);
 
   const CoarseningOptions& options_;
@@ -109,12 +115,17 @@ void SchemeRun::append(CoarseningStep step) {
 
 // Figure 5.7: every level out of the one before.
 Result<Hierarchy> SchemeRun::fine_to_coarse() {
+  const std::size_t stalls = raises_a_threshold(options_) ? levels_to_the_end() : 0;
   while (may_go_on()) {
     const std::size_t i = hierarchy_.levels.size();
     const Level& finer = hierarchy_.levels.back();
     if (i > 1) skeleton_ = skeleton_of(finer.mesh);
     const SourceMesh source = source_mesh(finer, std::move(skeleton_), limit_, options_);
-    auto built = step(source, {i, i == 1 ? first_factor(options_) : options_.factor, {}});
+    double factor = i == 1 ? first_factor(options_) : options_.factor;
+    auto built = step(source, {i, factor, {}});
+    // max(t, C min t), raised once more, is max(t, C^2 min t).
+    for (std::size_t k = 1; built && nodes_of(built->level) == nodes_of(finer) && k < stalls; ++k)
+      built = step(source, {i, factor *= options_.factor, {}});
     if (stops(built)) {
       if (hierarchy_.complete) return built.error();
       break;
@@ -141,17 +152,22 @@ std::vector<Index> numbers_in(const Level& finer, const Level& level) {
 Result<Hierarchy> SchemeRun::from_finest() {
   Hierarchy coarser;  // apart, so that the source stays where it is
   const SourceMesh source = finest_source();
-  for (std::size_t i = 1; i <= options_.max_levels; ++i) {
-    const Level& before = i == 1 ? hierarchy_.levels[0] : coarser.levels.back();
+  const std::size_t stalls = raises_a_threshold(options_) ? levels_to_the_end() : 0;
+  for (std::size_t i = 1; coarser.levels.size() < options_.max_levels; ++i) {
+    const bool is_first = coarser.levels.empty();
+    const Level& before = is_first ? hierarchy_.levels[0] : coarser.levels.back();
     if (nodes_of(before) <= options_.until_nodes) break;
     auto built = step(source, {i, factor_from_finest(options_, i), {}});
     if (stops(built)) {
       if (hierarchy_.complete) return built.error();
       break;
     }
-    if (nodes_of(built->level) >= nodes_of(before)) break;
+    if (nodes_of(built->level) >= nodes_of(before)) {
+      if (i < stalls) continue;
+      break;
+    }
     built->level.parent = numbers_in(before, built->level);
-    (i == 1 ? hierarchy_.levels[0] : coarser.levels.back()).work = built->work;
+    (is_first ? hierarchy_.levels[0] : coarser.levels.back()).work = built->work;
     coarser.levels.push_back(std::move(built->level));
   }
   std::move(coarser.levels.begin(), coarser.levels.end(), std::back_inserter(hierarchy_.levels));
@@ -160,7 +176,7 @@ Result<Hierarchy> SchemeRun::from_finest() {
 
 // The first i at which all nodes are in conflict, so that special points alone are left, unless
 // paths through the domain are longer than the diagonal of its box; at most 2048.
-std::size_t SchemeRun::most_levels() const {
+std::size_t SchemeRun::levels_to_the_end() const {
   const Level& finest = hierarchy_.levels[0];
   if (nodes_of(finest) == 0) return 0;
   const Box2 box = Box2::around(finest.mesh.points);
@@ -170,7 +186,7 @@ std::size_t SchemeRun::most_levels() const {
     if (g > 0) least = std::min(least, g);
   std::size_t i = 1;
   for (double f = first_factor(options_) * least; f < reach && i < 2048; f *= options_.factor) ++i;
-  return std::min(i, options_.max_levels);
+  return i;
 }
 
 // Figure 5.9: every level out of the finest mesh, the coarsest first, each with the nodes of the
@@ -178,7 +194,7 @@ std::size_t SchemeRun::most_levels() const {
 Result<Hierarchy> SchemeRun::coarse_to_fine() {
   std::vector<CoarseningStep> built;
   const SourceMesh source = finest_source();
-  for (std::size_t i = most_levels(); i > 0; --i) {
+  for (std::size_t i = std::min(levels_to_the_end(), options_.max_levels); i > 0; --i) {
     const std::span<const Index> forced =
         built.empty() ? std::span<const Index>() : built.back().level.origin;
     auto next = step(source, {i, factor_from_finest(options_, i), forced});

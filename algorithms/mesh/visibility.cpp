@@ -1,6 +1,8 @@
 #include "wellspaced/algorithms/mesh/visibility.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "wellspaced/kernel/distance.hpp"
@@ -22,6 +24,19 @@ bool is_ahead(Point2 p, Point2 a, Point2 b) {
 
 // Distances that are larger by rounding alone are not larger.
 constexpr double kDiscMargin = 1 + 0x1p-40;
+
+// In which of `count` sectors, counter-clockwise, the direction from p to q lies: by its place on
+// the diamond |x| + |y| = 1, up to rounding. Requires: p != q.
+int sector(Point2 p, Point2 q, int count) {
+  double dx = q.x - p.x, dy = q.y - p.y;
+  if (!std::isfinite(std::fabs(dx) + std::fabs(dy))) {
+    dx = q.x / 4 - p.x / 4;
+    dy = q.y / 4 - p.y / 4;
+  }
+  const double up = dy / (std::fabs(dx) + std::fabs(dy));
+  const double place = dx < 0 ? 2 - up : dy < 0 ? 4 + up : up;  // 0 to 4
+  return std::clamp(static_cast<int>(place / 4 * count), 0, count - 1);
+}
 
 }  // namespace
 
@@ -125,7 +140,12 @@ std::span<const Index> SightSearch::run(Index p, double radius) {
   }
   flood(p, radius);
   // A line of sight that is broken comes back into the domain through a wall seen from behind.
-  if (faces_a_back_) std::erase_if(nodes_, [&](Index q) { return !visibility_.sees(p, q); });
+  if (backs_.empty()) return nodes_;
+  const std::vector<Point2>& points = visibility_.mesh().points;
+  cast_shadows(points[p]);
+  std::erase_if(nodes_, [&](Index q) {
+    return may_be_hidden(points[q], points[p]) && !visibility_.sees(p, q);
+  });
   return nodes_;
 }
 
@@ -136,7 +156,7 @@ void SightSearch::flood(Index p, double radius) {
   const Point2 centre = mesh.points[p];
   nodes_.clear();
   triangles_.clear();
-  faces_a_back_ = false;
+  backs_.clear();
   visit_node(p, p, radius);
   if (!(radius > 0)) return;
   for (std::size_t next = 0; next < triangles_.size(); ++next) {
@@ -151,7 +171,7 @@ void SightSearch::flood(Index p, double radius) {
       if (neighbor != kNoIndex) {
         enter(neighbor);
       } else if (orient2d(mesh.points[a], mesh.points[b], centre) < 0) {
-        faces_a_back_ = true;
+        backs_.push_back({a, b});
       }
     }
   }
@@ -170,6 +190,25 @@ void SightSearch::visit_node(Index node, Index p, double radius) {
   if (distance(points[p], points[node]) > radius) return;
   nodes_.push_back(node);
   for (const Index t : visibility_.links().around(node)) enter(t);
+}
+
+// A wall seen from behind hides no more than the sectors from its end to its beginning, from its
+// nearest point on. Neighbouring sectors are taken along for the rounding of directions.
+void SightSearch::cast_shadows(Point2 p) {
+  shadow_.fill(std::numeric_limits<double>::infinity());
+  for (const auto& [from, to] : backs_) {
+    const Point2 a = visibility_.mesh().points[from], b = visibility_.mesh().points[to];
+    const double begins = (1 - 0x1p-20) * distance_to_segment(p, a, b);
+    const int last = (sector(p, a, kSectors) + 1) % kSectors;
+    for (int k = (sector(p, b, kSectors) + kSectors - 1) % kSectors;; k = (k + 1) % kSectors) {
+      shadow_[k] = std::min(shadow_[k], begins);
+      if (k == last) break;
+    }
+  }
+}
+
+bool SightSearch::may_be_hidden(Point2 q, Point2 p) const {
+  return q == p || distance(p, q) >= shadow_[sector(p, q, kSectors)];
 }
 
 // In units of the radius, so that no product underflows; what overflows counts as meeting.

@@ -66,7 +66,7 @@ class SightSearch {
   /// The nodes that node p sees within distance `radius`, itself included, each once.
   /// Valid until the next call.
   /// Cost: linear in the triangles that the disc meets; where walls of the domain turn their back
-  /// to p inside the disc, one line of sight for each node besides.
+  /// to p inside the disc, one line of sight for each node that may lie in their shadow besides.
   std::span<const Index> run(Index p, double radius);
 
  private:
@@ -74,13 +74,17 @@ class SightSearch {
   void enter_around(Index node);
   void enter(Index triangle);
   void visit_node(Index node, Index p, double radius);
+  void cast_shadows(Point2 p);
+  bool may_be_hidden(Point2 q, Point2 p) const;
   bool edge_meets_disc(Index a, Index b, Point2 centre, double radius) const;
 
   const Visibility& visibility_;
   std::vector<std::uint32_t> node_stamp_, triangle_stamp_;
   std::uint32_t stamp_ = 0;
   std::vector<Index> nodes_, triangles_;
-  bool faces_a_back_ = false;  // whether a wall in the disc has its outside towards p
+  std::vector<std::array<Index, 2>> backs_;  // walls in the disc that have their outside towards p
+  static constexpr int kSectors = 256;
+  std::array<double, kSectors> shadow_{};  // where shadows begin, by direction
 };
 
 }  // namespace wellspaced

@@ -210,6 +210,24 @@ TEST(Schemes, OfIndependentSetsExistFineToCoarseAlone) {
   EXPECT_EQ(coarsen(test::grid_mesh({}), options).error().code, ErrorCode::kUsage);
 }
 
+// Two nodes close together and fixed, a grid far coarser: the first thresholds drop nothing.
+TEST(Schemes, RaiseAThresholdThatDropsNoNode) {
+  TriangleMesh mesh = test::grid_mesh({.nx = 12, .ny = 12, .jitter = 0, .seed = 12});
+  mesh.points[1].x = 0x1p-20;
+  for (const auto method : {CoarseningMethod::kThreshold, CoarseningMethod::kQuasiUniform}) {
+    for (const auto scheme : kSchemes) {
+      CoarseningOptions options = theorem_options(method);
+      options.scheme = scheme;
+      options.fixed = std::vector<Index>{0, 1, 12, 156, 168};
+      const auto hierarchy = coarsen(mesh, options);
+      ASSERT_TRUE(hierarchy.ok());
+      EXPECT_GT(hierarchy->levels.size(), 1u) << describe(options);
+      EXPECT_LE(hierarchy->levels.back().origin.size(), 6u) << describe(options);
+      expect_valid(*hierarchy, options);
+    }
+  }
+}
+
 TEST(Schemes, StopWhereTheyAreTold) {
   const TriangleMesh mesh = test::grid_mesh({.nx = 30, .ny = 30, .seed = 10});
   for (const auto scheme : kSchemes) {
