@@ -3,8 +3,11 @@
 //
 //   delaunay2_table [RUNS]       default 5
 //   delaunay2_table RUNS ROW     only the rows whose name contains ROW
+//   delaunay2_table --write DIR  the rows' inputs as files, and their SHA-256 in DIR/SHA256SUMS
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <utility>
@@ -12,15 +15,20 @@
 
 #include "bench/measure.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
+#include "wellspaced/algorithms/mesh/delaunay_cells.hpp"
+#include "wellspaced/io/formats/point_files.hpp"
+#include "wellspaced/io/formats/triangle_text.hpp"
 #include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/random.hpp"
+#include "wellspaced/kernel/sha256.hpp"
 #include "wellspaced/kernel/triangulate.hpp"
 
 #ifdef WELLSPACED_BENCH_CGAL
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Unique_hash_map.h>
 #endif
 
 namespace wellspaced::bench {
@@ -104,22 +112,35 @@ Delaunay2 triangulate_ours(const Pslg& graph) {
   return dt;
 }
 
-// The real triangles, or 0 if an edge fails the exact in-circle test.
-std::size_t checked_triangles(const Delaunay2& dt) {
+// What a triangulation is compared by. cells: the hash that every correct answer shares, however
+// its ties are broken; empty beyond 2^21 points, where it would take too much memory.
+struct Answer {
+  std::size_t triangles = 0;
+  std::string cells;
+  friend bool operator==(const Answer&, const Answer&) = default;
+};
+
+std::string hash_if_small(const std::vector<Point2>& points,
+                          const std::vector<std::array<Index, 3>>& triangles,
+                          const std::vector<Segment>& segments) {
+  if (points.size() > std::size_t{1} << 21) return {};
+  return cells_sha256(points, delaunay_cells(points, triangles, segments));
+}
+
+// No triangle counts where an edge fails the exact in-circle test.
+Answer answer_of(const Delaunay2& dt) {
+  if (!dt.is_valid()) return {};
   const Triangulation2& mesh = dt.topology();
-  const auto& p = dt.points();
-  std::size_t count = 0;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Segment> segments;
   for (Index t = 0; t < mesh.size(); ++t) {
     if (mesh.is_ghost(t)) continue;
-    ++count;
-    const auto& v = mesh.vertices(t);
-    for (unsigned i = 0; i < 3; ++i) {
-      const Index far = mesh.apex(mesh.mirror({t, i}));
-      if (far == Triangulation2::kGhost || mesh.is_constrained({t, i})) continue;
-      if (incircle(p[v[0]], p[v[1]], p[v[2]], p[far]) > 0) return 0;
-    }
+    triangles.push_back(mesh.vertices(t));
+    for (unsigned i = 0; i < 3; ++i)
+      if (mesh.is_constrained({t, i}))
+        segments.push_back({mesh.origin({t, i}), mesh.destination({t, i})});
   }
-  return count;
+  return {triangles.size(), hash_if_small(dt.points(), triangles, segments)};
 }
 
 #ifdef WELLSPACED_BENCH_CGAL
@@ -139,16 +160,47 @@ CgalInput cgal_input(const Pslg& graph) {
   return input;
 }
 
-std::size_t triangulate_cgal(const CgalInput& input) {
-  if (input.segments.empty()) {
-    CgalDelaunay dt;
-    dt.insert(input.points.begin(), input.points.end());
-    return dt.number_of_faces();
-  }
-  CgalConstrained dt;
+void insert_all(const CgalInput& input, CgalDelaunay& dt) {
+  dt.insert(input.points.begin(), input.points.end());
+}
+
+void insert_all(const CgalInput& input, CgalConstrained& dt) {
   dt.insert_constraints(input.points.begin(), input.points.end(), input.segments.begin(),
                         input.segments.end());
-  return dt.number_of_faces();
+}
+
+template <class Triangulation>
+Answer answer_of(const Triangulation& dt) {
+  std::vector<Point2> points;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Segment> segments;
+  CGAL::Unique_hash_map<typename Triangulation::Vertex_handle, Index> number;
+  for (const auto v : dt.finite_vertex_handles()) {
+    number[v] = static_cast<Index>(points.size());
+    points.push_back({v->point().x(), v->point().y()});
+  }
+  for (const auto f : dt.finite_face_handles()) {
+    triangles.push_back({number[f->vertex(0)], number[f->vertex(1)], number[f->vertex(2)]});
+    if constexpr (std::is_same_v<Triangulation, CgalConstrained>)
+      for (int i = 0; i < 3; ++i)
+        if (f->is_constrained(i))
+          segments.push_back({number[f->vertex(dt.ccw(i))], number[f->vertex(dt.cw(i))]});
+  }
+  return {triangles.size(), hash_if_small(points, triangles, segments)};
+}
+
+// Its CPU time; its answer only if there is none yet.
+template <class Triangulation>
+double time_cgal_as(const CgalInput& input, Answer& answer) {
+  Triangulation dt;
+  const double seconds = timed([&] { insert_all(input, dt); });
+  if (answer.triangles == 0) answer = answer_of(dt);
+  return seconds;
+}
+
+double time_cgal(const CgalInput& input, Answer& answer) {
+  return input.segments.empty() ? time_cgal_as<CgalDelaunay>(input, answer)
+                                : time_cgal_as<CgalConstrained>(input, answer);
 }
 #else
 struct CgalInput {};
@@ -162,22 +214,22 @@ struct Times {
 
 Times measure(const Pslg& graph, int runs) {
   std::vector<double> ours, peer;
-  std::size_t our_count = 0, peer_count = 0;
+  Answer our_answer, peer_answer;
   const CgalInput input = cgal_input(graph);
   for (int run = 0; run < runs; ++run) {
     {
       Delaunay2 dt;
       ours.push_back(timed([&] { dt = triangulate_ours(graph); }));
-      if (run == 0) our_count = checked_triangles(dt);
+      if (run == 0) our_answer = answer_of(dt);
     }
 #ifdef WELLSPACED_BENCH_CGAL
-    peer.push_back(timed([&] { peer_count = triangulate_cgal(input); }));
+    peer.push_back(time_cgal(input, peer_answer));
 #else
     peer.push_back(0);
-    peer_count = our_count;
+    peer_answer = our_answer;
 #endif
   }
-  return {median(ours), median(peer), our_count != 0 && our_count == peer_count};
+  return {median(ours), median(peer), our_answer.triangles != 0 && our_answer == peer_answer};
 }
 
 void print_row(const Row& row, int runs, double bytes, double& uniform) {
@@ -199,11 +251,43 @@ void print_row(const Row& row, int runs, double bytes, double& uniform) {
   std::fflush(stdout);
 }
 
+// "997 holes, 300k segments" as "997_holes_300k_segments".
+std::string file_name(const Row& row) {
+  std::string name;
+  for (const char c : row.name)
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      name += c;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  return name;
+}
+
+// Points as .f64, domains as .poly: what any other program needs to repeat a row.
+int write_inputs(const std::string& directory) {
+  std::ofstream sums(directory + "/SHA256SUMS");
+  for (const Row& row : kRows) {
+    Pslg graph = row.make();
+    const bool domain = !graph.segments.empty();
+    Geometry geometry;
+    geometry.mesh.points = std::move(graph.points);
+    geometry.mesh.segments = std::move(graph.segments);
+    TextWriter out;
+    domain ? write_poly(out, geometry, PolyPoints::kInside) : write_f64(out, geometry);
+    const std::string name = file_name(row) + (domain ? ".poly" : ".f64");
+    std::ofstream(directory + '/' + name, std::ios::binary) << out.text();
+    sums << sha256(out.text()) << "  " << name << '\n';
+  }
+  sums.close();
+  if (!sums) std::fprintf(stderr, "cannot write to %s\n", directory.c_str());
+  return sums ? 0 : 1;
+}
+
 }  // namespace
 }  // namespace wellspaced::bench
 
 int main(int argc, char** argv) {
   using namespace wellspaced::bench;
+  if (argc == 3 && std::string(argv[1]) == "--write") return write_inputs(argv[2]);
   const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
   std::printf("%-30s %8s %7s %9s %9s %9s  %s\n", "2D (median CPU of interleaved runs)", "points",
               "B/point", "t/uniform", "t/CGAL", "reach", "triangles");
