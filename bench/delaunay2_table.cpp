@@ -291,10 +291,11 @@ int main(int argc, char** argv) {
   const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
   std::printf("%-30s %8s %7s %9s %9s %9s  %s\n", "2D (median CPU of interleaved runs)", "points",
               "B/point", "t/uniform", "t/CGAL", "reach", "triangles");
+  std::vector<Row> rows;
+  for (const Row& row : kRows)
+    if (argc <= 2 || row.name.find(argv[2]) != std::string::npos) rows.push_back(row);
   std::vector<double> bytes;  // before anything else is allocated and freed here
-  for (const Row& row : kRows) bytes.push_back(peak_growth(row.make, triangulate_ours));
+  for (const Row& row : rows) bytes.push_back(peak_growth(row.make, triangulate_ours));
   double uniform = 0;
-  for (std::size_t i = 0; i < kRows.size(); ++i)
-    if (argc <= 2 || kRows[i].name.find(argv[2]) != std::string::npos)
-      print_row(kRows[i], runs, bytes[i], uniform);
+  for (std::size_t i = 0; i < rows.size(); ++i) print_row(rows[i], runs, bytes[i], uniform);
 }
