@@ -1,6 +1,7 @@
 // Delaunay and constrained Delaunay triangulation of the plane: exact, incremental, dynamic.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -96,6 +97,24 @@ class Delaunay2 {
   /// Cost: that of locate, and the degree of the new vertex. Below dimension 2: O(n log n).
   Result<Index> insert(Point2 p, Index hint = 0);
 
+  /// Decides about a point before it goes in. `rim`: the edges that it would be joined to, counter-
+  /// clockwise round it, each as its origin and the link to its outer side (rim_edge).
+  using RimTest = std::function<bool(std::span<const Triangulation2::RimEdge> rim)>;
+
+  /// Adds point p, which lies inside triangle t or on an edge of it that is not constrained, if
+  /// `accepts` agrees. Returns its number, or kNoIndex if it was refused; then nothing is changed.
+  /// Requires: a finite p there, no vertex; fewer than 2^28 points; dimension() == 2.
+  /// Cost: twice the degree of the new vertex.
+  Index insert_if(Point2 p, Index t, const RimTest& accepts);
+
+  /// Splits a constrained edge at a point that should lie on it, but may be off it by its rounding.
+  /// Returns the new vertex.
+  /// Errors: kInvalidGeometry where p is not inside the circumcircles of both triangles at the edge
+  /// or would turn a triangle over (ids: the ends of the edge); then nothing is changed. kLimit
+  /// beyond 2^28 points.
+  /// Cost: the degree of the new vertex.
+  Result<Index> split_edge(Edge e, Point2 p);
+
   /// Removes a vertex. Its point keeps its number but is no vertex any more; nor are the points
   /// that it stood for.
   /// Errors: kInvalidGeometry if v is no vertex, or ends a constrained edge (ids: v and the other
@@ -175,7 +194,8 @@ class Delaunay2 {
 
   Result<Index> insert_below_dimension_2(Point2 p);
   Index append_point(Point2 p);
-  void insert_at(Index v, const Location& location);
+  Index fill_cavity(Point2 p);
+  bool sees_whole_rim(Point2 p) const;
   void rebuild();
   Edge constrained_edge_from(Index v) const;
   bool is_ear(Edge e, std::size_t degree) const;
@@ -189,6 +209,7 @@ class Delaunay2 {
   std::vector<Index> representative_;  // empty: every point is a vertex
   std::vector<Index> triangle_of_;     // for each vertex a triangle that has it as a corner
   Triangulation2 topology_;
+  Cavity cavity_;
 };
 
 }  // namespace wellspaced

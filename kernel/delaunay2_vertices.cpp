@@ -21,9 +21,58 @@ Result<Index> Delaunay2::insert(Point2 p, Index hint) {
   if (dimension_ < 2) return insert_below_dimension_2(p);
   const Location location = locate(p, hint);
   if (location.place == Place::kVertex) return topology_.origin(location.edge);
+  const bool on_wall = location.place == Place::kEdge && topology_.is_constrained(location.edge);
+  if (on_wall) return split_edge(location.edge, p);
+  find_cavity(location.edge, p, cavity_);
+  return fill_cavity(p);
+}
+
+Index Delaunay2::insert_if(Point2 p, Index t, const RimTest& accepts) {
+  find_cavity({t, 0}, p, cavity_);
+  return accepts(cavity_.rim) ? fill_cavity(p) : kNoIndex;
+}
+
+Result<Index> Delaunay2::split_edge(Edge e, Point2 p) {
+  if (points_.size() >= kMaxOrderedPoints)
+    return Error{ErrorCode::kLimit, "more than 2^28 points", {}};
+  if (topology_.is_ghost(e.triangle)) e = topology_.mirror(e);
+  const auto& [u, v, w] = topology_.vertices(e.triangle);
+  const Index a = topology_.origin(e), b = topology_.destination(e);
+  const bool in_circle = incircle(points_[u], points_[v], points_[w], p) > 0;
+  topology_.set_constrained(e, false);
+  find_cavity(e, p, cavity_);
+  const bool in_both = in_circle && std::find(cavity_.hole.begin(), cavity_.hole.end(),
+                                              topology_.mirror(e).triangle) != cavity_.hole.end();
+  if (!in_both || !sees_whole_rim(p)) {
+    topology_.set_constrained(e, true);
+    return Error{ErrorCode::kInvalidGeometry,
+                 "edge " + std::to_string(a) + "-" + std::to_string(b) + " cannot be split there",
+                 {a, b}};
+  }
+  const Index fresh = fill_cavity(p);
+  for (const Index end : {a, b}) topology_.set_constrained(find_edge(fresh, end), true);
+  return fresh;
+}
+
+// Whether p lies strictly to the left of every edge of the cavity's rim. On the hull, where there
+// is nothing to see, it has to lie exactly on the edge that is split: then it always does.
+bool Delaunay2::sees_whole_rim(Point2 p) const {
+  const auto& rim = cavity_.rim;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Index a = rim[i].origin, b = rim[i + 1 < rim.size() ? i + 1 : 0].origin;
+    if (a == kGhost || b == kGhost) continue;
+    if (orient2d(points_[a], points_[b], p) <= 0) return false;
+  }
+  return true;
+}
+
+// Replaces the triangles of the cavity by the star of p, a new vertex.
+Index Delaunay2::fill_cavity(Point2 p) {
   const Index v = append_point(p);
   triangle_of_.push_back(kNoIndex);
-  insert_at(v, location);
+  topology_.fill_with_star(cavity_.hole, cavity_.rim, v);
+  for (const Index t : cavity_.hole) refresh_triangle_of(t);
+  for (Index t = topology_.size() - 2; t < topology_.size(); ++t) refresh_triangle_of(t);
   return v;
 }
 
@@ -48,22 +97,6 @@ void Delaunay2::rebuild() {
   std::vector<Index> order = insertion_order(points_);
   std::erase_if(order, [this](Index point) { return !is_vertex(point); });
   build_from(std::vector<Point2>(points_), std::move(order));
-}
-
-void Delaunay2::insert_at(Index v, const Location& location) {
-  Index wall[2] = {kNoIndex, kNoIndex};
-  if (location.place == Place::kEdge && topology_.is_constrained(location.edge)) {
-    wall[0] = topology_.origin(location.edge);
-    wall[1] = topology_.destination(location.edge);
-    topology_.set_constrained(location.edge, false);
-  }
-  Cavity cavity;
-  find_cavity(location.edge, points_[v], cavity);
-  topology_.fill_with_star(cavity.hole, cavity.rim, v);
-  for (const Index t : cavity.hole) refresh_triangle_of(t);
-  for (Index t = topology_.size() - 2; t < topology_.size(); ++t) refresh_triangle_of(t);
-  for (const Index w : wall)
-    if (w != kNoIndex) topology_.set_constrained(find_edge(v, w), true);
 }
 
 // ---- Removal -------------------------------------------------------------------------------

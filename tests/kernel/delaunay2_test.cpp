@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "tests/support/point_families.hpp"
 #include "tests/support/triangulation_checks.hpp"
@@ -267,6 +268,61 @@ TEST(Delaunay2, InsertingOnAConstrainedEdgeSplitsIt) {
   EXPECT_TRUE(dt.topology().is_constrained(dt.find_edge(v, 2)));
   EXPECT_FALSE(dt.topology().is_constrained(dt.find_edge(v, 1)));
   EXPECT_FALSE(dt.remove(v).ok());
+}
+
+// A fan of constrained edges in a box: their midpoints are seldom doubles on them.
+TEST(Delaunay2, SplitsAnEdgeAtAPointBesideItsLine) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    std::vector<Point2> points = test::uniform_points(30, seed);
+    for (const Point2 p : {Point2{-9, -9}, Point2{9, -9}, Point2{9, 9}, Point2{-9, 9}})
+      points.push_back(p);
+    Delaunay2 dt = built(points);
+    for (Index v = 1; v < 8; ++v) ASSERT_TRUE(dt.insert_constraint(0, v).ok());
+    for (Index v = 1; v < 8; ++v) {
+      const Point2 a = dt.points()[0], b = dt.points()[v];
+      const Delaunay2::Edge e = dt.find_edge(0, v);
+      if (e.triangle == kNoIndex) continue;  // another vertex lies on it
+      const Result<Index> fresh = dt.split_edge(e, {(a.x + b.x) / 2, (a.y + b.y) / 2});
+      ASSERT_TRUE(fresh.ok());
+      for (const Index end : {Index{0}, v})
+        EXPECT_TRUE(dt.topology().is_constrained(dt.find_edge(*fresh, end)));
+      EXPECT_TRUE(dt.is_valid());
+    }
+  }
+}
+
+TEST(Delaunay2, RefusesToSplitAnEdgeFarFromIt) {
+  Delaunay2 dt = built({{0, 0}, {4, 0}, {2, 3}, {2, -3}, {-9, -9}, {9, -9}, {9, 9}, {-9, 9}});
+  ASSERT_TRUE(dt.insert_constraint(0, 1).ok());
+  for (const Point2 p : {Point2{2, 4}, Point2{-1, 0}, Point2{0, 0}}) {
+    const auto result = dt.split_edge(dt.find_edge(0, 1), p);
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, ErrorCode::kInvalidGeometry);
+    EXPECT_EQ(std::set<Index>(result.error().ids.begin(), result.error().ids.end()),
+              (std::set<Index>{0, 1}));
+    EXPECT_TRUE(dt.is_valid());
+    EXPECT_TRUE(dt.topology().is_constrained(dt.find_edge(0, 1)));
+    EXPECT_EQ(dt.points().size(), 8u);
+  }
+}
+
+TEST(Delaunay2, InsertsIfTheRimIsAcceptable) {
+  Delaunay2 dt = built({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const Point2 p{2, 1};
+  const Index t = dt.locate(p).edge.triangle;
+  std::set<Index> rim_vertices;
+  const auto look = [&](bool answer) {
+    return [&rim_vertices, answer](std::span<const Triangulation2::RimEdge> rim) {
+      for (const auto& edge : rim) rim_vertices.insert(edge.origin);
+      return answer;
+    };
+  };
+  EXPECT_EQ(dt.insert_if(p, t, look(false)), kNoIndex);
+  EXPECT_EQ(rim_vertices, (std::set<Index>{0, 1, 2, 3}));
+  EXPECT_EQ(dt.points().size(), 4u);
+  EXPECT_EQ(dt.insert_if(p, t, look(true)), 4u);
+  EXPECT_TRUE(dt.is_valid());
+  EXPECT_NE(dt.find_edge(4, 2).triangle, kNoIndex);
 }
 
 TEST(Delaunay2, InsertingAllPointsOneByOneGivesTheSameTriangles) {
