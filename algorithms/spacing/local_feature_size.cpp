@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <span>
+#include <memory_resource>
+#include <utility>
 
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
@@ -37,16 +39,25 @@ class IncidentFeatures {
   std::size_t size_ = 0;
 };
 
-// What the search has before it: a node of the tree with its features, or one feature (node 0 is
-// never a child).
+double square(double x) { return x * x; }
+
+double distance_sq_to_box(const Box2& box, Point2 x) {
+  return square(x.x - std::clamp(x.x, box.low.x, box.high.x)) +
+         square(x.y - std::clamp(x.y, box.low.y, box.high.y));
+}
+
+// What the search has before it: a node of the tree, counted from 1, with its features; or, with
+// node 0, one feature.
 struct Pending {
-  double distance;
-  std::size_t node, first, last;
+  double distance_sq;
+  Index node, first, last;
 };
 
-bool is_farther(const Pending& a, const Pending& b) {
-  return a.distance > b.distance || (a.distance == b.distance && a.first > b.first);
-}
+struct IsFarther {
+  bool operator()(const Pending& a, const Pending& b) const {
+    return a.distance_sq > b.distance_sq || (a.distance_sq == b.distance_sq && a.first > b.first);
+  }
+};
 
 }  // namespace
 
@@ -56,13 +67,13 @@ Result<LocalFeatureSize> LocalFeatureSize::build(const Pslg& graph,
                                                  const TriangulateOptions& options) {
   Result<PlanarTriangulation> closed = triangulate(graph, options);
   if (!closed) return closed.error();
-  LocalFeatureSize result(std::move(*closed));
-  if (!result.around_.empty()) {
-    const Box2& box = result.around_[0];
+  const std::vector<Point2>& points = closed->delaunay.points();
+  if (!points.empty()) {
+    const Box2 box = Box2::around(points);
     if (!std::isfinite(2 * distance(box.low, box.high)))
       return Error{ErrorCode::kInvalidGeometry, "the extent of the graph is no double", {}};
   }
-  return result;
+  return LocalFeatureSize(std::move(*closed));
 }
 
 LocalFeatureSize::LocalFeatureSize(PlanarTriangulation graph) : graph_(std::move(graph)) {
@@ -70,22 +81,35 @@ LocalFeatureSize::LocalFeatureSize(PlanarTriangulation graph) : graph_(std::move
     if (graph_.delaunay.is_vertex(v)) features_.push_back({v, v});
   for (const Segment& s : graph_.segments) features_.push_back({s.a, s.b});
   if (features_.empty()) return;
+  const Box2 box = Box2::around(graph_.delaunay.points());
+  const double extent = distance(box.low, box.high);
+  if (extent > 0) scale_ = std::ldexp(1, std::clamp(-std::ilogb(extent), -1000, 1000));
   std::size_t leaves = 1;
   while (leaves * kFeaturesInLeaf < features_.size()) leaves *= 2;
   around_.resize(2 * leaves - 1);
   build_tree(0, 0, features_.size());
+  measure_features();
+}
+
+void LocalFeatureSize::measure_features() {
+  for (const Feature& feature : features_) {
+    const Point2 a = scaled(point(feature[0])), b = scaled(point(feature[1]));
+    const double length = distance(a, b);
+    const Point2 unit = length > 0 ? Point2{(b.x - a.x) / length, (b.y - a.y) / length} : Point2{};
+    stretches_.push_back({a, unit, length});
+  }
 }
 
 // Recursion is as deep as the tree, log2 n.
 void LocalFeatureSize::build_tree(std::size_t node, std::size_t first, std::size_t last) {
   const auto box_of = [this](const Feature& f) {
-    return Box2::around(std::array{point(f[0]), point(f[1])});
+    return Box2::around(std::array{scaled(point(f[0])), scaled(point(f[1]))});
   };
   Box2 box = box_of(features_[first]);
   for (std::size_t i = first + 1; i < last; ++i) box.cover(box_of(features_[i]));
   around_[node] = box;
   if (last - first <= kFeaturesInLeaf) return;
-  const bool wide = box.high.x / 2 - box.low.x / 2 > box.high.y / 2 - box.low.y / 2;
+  const bool wide = box.high.x - box.low.x > box.high.y - box.low.y;
   const auto middle_of = [&](const Feature& f) {
     const Point2 a = point(f[0]), b = point(f[1]);
     return wide ? a.x / 2 + b.x / 2 : a.y / 2 + b.y / 2;
@@ -102,48 +126,55 @@ void LocalFeatureSize::build_tree(std::size_t node, std::size_t first, std::size
   build_tree(2 * node + 2, middle, last);
 }
 
+// How far from a the point nearest to x is.
+double LocalFeatureSize::Stretch::nearest_to(Point2 x) const {
+  return std::clamp((x.x - a.x) * unit.x + (x.y - a.y) * unit.y, 0.0, length);
+}
+
+double LocalFeatureSize::Stretch::distance_sq(Point2 x) const {
+  const Point2 nearest = at(nearest_to(x));
+  return square(x.x - nearest.x) + square(x.y - nearest.y);
+}
+
 // The point of the feature nearest to x, rounded; exact where it is a vertex.
-Point2 LocalFeatureSize::nearest_point(const Feature& feature, Point2 x) const {
-  const Point2 a = point(feature[0]), b = point(feature[1]);
-  const double length = distance(a, b);
-  if (!(length > 0)) return a;
-  const Point2 unit{(b.x - a.x) / length, (b.y - a.y) / length};
-  const double along = (x.x - a.x) * unit.x + (x.y - a.y) * unit.y;
-  if (along <= 0) return a;
-  if (along >= length) return b;
-  return {a.x + along * unit.x, a.y + along * unit.y};
+Point2 LocalFeatureSize::nearest_point(std::size_t feature, Point2 x) const {
+  const Stretch& stretch = stretches_[feature];
+  const double along = stretch.nearest_to(scaled(x));
+  if (along <= 0) return point(features_[feature][0]);
+  if (along >= stretch.length) return point(features_[feature][1]);
+  const Point2 p = stretch.at(along);
+  return {p.x / scale_, p.y / scale_};
 }
 
-double LocalFeatureSize::distance_to(const Feature& feature, Point2 x) const {
-  return distance(nearest_point(feature, x), x);
-}
-
-// Calls visit(feature, distance) by increasing distance from x until it returns false.
+// Calls visit(number of a feature, distance) by increasing distance from x until it returns false.
 template <class Visit>
 void LocalFeatureSize::visit_by_distance(Point2 x, Visit visit) const {
   if (features_.empty()) return;
-  std::vector<Pending> heap;
-  heap.reserve(64);
+  std::array<std::byte, 8192> buffer;  // more than most queries need
+  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
+  std::pmr::vector<Pending> heap(&memory);
+  heap.reserve(128);
+  const Point2 from = scaled(x);
   const auto push = [&](const Pending& pending) {
     heap.push_back(pending);
-    std::push_heap(heap.begin(), heap.end(), is_farther);
+    std::push_heap(heap.begin(), heap.end(), IsFarther());
   };
-  const auto push_node = [&](std::size_t node, std::size_t first, std::size_t last) {
-    push({distance_to_box(around_[node], x), node + 1, first, last});
+  const auto push_node = [&](Index node, Index first, Index last) {
+    push({distance_sq_to_box(around_[node - 1], from), node, first, last});
   };
-  push_node(0, 0, features_.size());
+  push_node(1, 0, static_cast<Index>(features_.size()));
   while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end(), is_farther);
-    const auto [distance, node, first, last] = heap.back();
+    std::pop_heap(heap.begin(), heap.end(), IsFarther());
+    const auto [distance_sq, node, first, last] = heap.back();
     heap.pop_back();
     if (node == 0) {
-      if (!visit(features_[first], distance)) return;
+      if (!visit(first, std::sqrt(distance_sq) / scale_)) return;
     } else if (last - first <= kFeaturesInLeaf) {
-      for (std::size_t i = first; i < last; ++i) push({distance_to(features_[i], x), 0, i, i + 1});
+      for (Index i = first; i < last; ++i) push({stretches_[i].distance_sq(from), 0, i, i});
     } else {
-      const std::size_t middle = first + (last - first) / 2;
-      push_node(2 * node - 1, first, middle);
-      push_node(2 * node, middle, last);
+      const Index middle = first + (last - first) / 2;
+      push_node(2 * node, first, middle);
+      push_node(2 * node + 1, middle, last);
     }
   }
 }
@@ -151,12 +182,65 @@ void LocalFeatureSize::visit_by_distance(Point2 x, Visit visit) const {
 double LocalFeatureSize::at(Point2 x) const {
   double result = kInfiniteSize;
   IncidentFeatures met;
-  visit_by_distance(x, [&](const Feature& feature, double distance) {
-    if (met.add(feature)) return true;
+  visit_by_distance(x, [&](Index feature, double distance) {
+    if (met.add(features_[feature])) return true;
     result = distance;
     return false;
   });
   return result;
+}
+
+// ---- From near by -------------------------------------------------------------------------
+
+// With s = lfs(centre), what matters at x lies within lfs(x) <= s + |x - centre| of x, so within
+// s + 2 |x - centre| of the centre: within 1.5 s, for x up to s / 5 away.
+void LocalFeatureSize::Cursor::explore(Point2 x, Place& place) const {
+  constexpr double kRemembered = 1.5, kReach = 0.2;
+  const double size = lfs_->at(x);
+  place.centre = lfs_->scaled(x);
+  place.reach_sq = square(kReach * lfs_->scale_ * size);
+  place.features.clear();
+  lfs_->visit_by_distance(x, [&](Index feature, double distance) {
+    if (distance > kRemembered * size) return false;
+    place.features.push_back(feature);
+    return true;
+  });
+}
+
+// The place that x is near to, a new one instead of the longest unused if there is none; brought to
+// the front.
+const LocalFeatureSize::Cursor::Place& LocalFeatureSize::Cursor::place_of(Point2 x) {
+  constexpr std::size_t kPlaces = 32;
+  const Point2 p = lfs_->scaled(x);
+  auto found = std::find_if(places_.begin(), places_.end(), [p](const Place& place) {
+    return square(p.x - place.centre.x) + square(p.y - place.centre.y) <= place.reach_sq;
+  });
+  if (found == places_.end()) {
+    if (places_.size() < kPlaces) places_.emplace_back();
+    found = places_.end() - 1;
+    explore(x, *found);
+  }
+  std::rotate(places_.begin(), found, found + 1);
+  return places_.front();
+}
+
+double LocalFeatureSize::Cursor::at(Point2 x) {
+  constexpr std::size_t kMany = 24;  // so many that the tree is as good
+  const Place& place = place_of(x);
+  const std::size_t count = place.features.size();
+  if (count > kMany || !(place.reach_sq < kInfiniteSize)) return lfs_->at(x);
+  const Point2 from = lfs_->scaled(x);
+  std::array<std::pair<double, Index>, kMany> by_distance;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Index feature = place.features[i];
+    by_distance[i] = {lfs_->stretches_[feature].distance_sq(from), feature};
+  }
+  std::sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(count));
+  IncidentFeatures met;
+  for (std::size_t i = 0; i < count; ++i)
+    if (!met.add(lfs_->features_[by_distance[i].second]))
+      return std::sqrt(by_distance[i].first) / lfs_->scale_;
+  return lfs_->at(x);  // not reached but for rounding
 }
 
 // ---- Inside the domain ---------------------------------------------------------------------
@@ -169,12 +253,13 @@ double LocalFeatureSize::geodesic_at(Point2 x) const {
   IncidentFeatures met;
   std::vector<Index> around;
   bool is_located = false;
-  visit_by_distance(x, [&](const Feature& feature, double distance) {
+  visit_by_distance(x, [&](Index number, double distance) {
+    const Feature& feature = features_[number];
     if (graph_.delaunay.dimension() < 2) return false;
     if (!is_located) around = triangles_around(x, feature[0]);
     is_located = true;
     if (around.empty() || distance >= result) return false;
-    if (!sees(x, around, feature)) return true;
+    if (!sees(x, around, number)) return true;
     if (!met.add(feature)) {
       result = distance;
       return false;
@@ -190,8 +275,9 @@ double LocalFeatureSize::geodesic_at(Point2 x) const {
 double LocalFeatureSize::geodesic_from_vertex(Index v) const {
   double result = kInfiniteSize;
   const std::vector<Index> around = triangles_around(point(v), v);
-  visit_by_distance(point(v), [&](const Feature& feature, double distance) {
-    if (feature[0] == v || feature[1] == v || !sees(point(v), around, feature)) return true;
+  visit_by_distance(point(v), [&](Index number, double distance) {
+    const Feature& feature = features_[number];
+    if (feature[0] == v || feature[1] == v || !sees(point(v), around, number)) return true;
     result = distance;
     return false;
   });
@@ -217,11 +303,10 @@ std::vector<Index> LocalFeatureSize::triangles_around(Point2 x, Index near) cons
 
 // Whether the straight path from x, in the triangles `around`, to the feature's nearest point stays
 // in the domain.
-bool LocalFeatureSize::sees(Point2 x, const std::vector<Index>& around,
-                            const Feature& feature) const {
+bool LocalFeatureSize::sees(Point2 x, const std::vector<Index>& around, std::size_t feature) const {
   const Point2 target = nearest_point(feature, x);
   return std::any_of(around.begin(), around.end(),
-                     [&](Index t) { return reaches(x, t, target, feature); });
+                     [&](Index t) { return reaches(x, t, target, features_[feature]); });
 }
 
 // The same by way of the first triangle. The walk ends at `target`, which may lie beside the

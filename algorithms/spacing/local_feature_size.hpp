@@ -20,7 +20,7 @@ namespace wellspaced {
 /// The functions are infinite where no two features are apart (fewer than two vertices). They are
 /// 1-Lipschitz, each in its own metric (Lemma 2.2.7), and right to a few units in the last place of
 /// the extent of the graph.
-/// Cost: O(n log n) to build, 60 bytes a feature; a query O(log n) for features that are spread
+/// Cost: O(n log n) to build, 70 bytes a feature; a query O(log n) for features that are spread
 /// out, plus the features that share the vertex nearest by. See: Definition 2.2.5.
 class LocalFeatureSize {
  public:
@@ -32,6 +32,26 @@ class LocalFeatureSize {
 
   /// The radius of the smallest ball around x that meets two features which are not incident.
   double at(Point2 x) const;
+
+  /// at() for points that come one near the other: it remembers the features around the last few
+  /// places. The values are the same. Requires: the LocalFeatureSize outlives it, in its place.
+  class Cursor {
+   public:
+    explicit Cursor(const LocalFeatureSize& lfs) : lfs_(&lfs) {}
+    double at(Point2 x);
+
+   private:
+    struct Place {
+      Point2 centre;
+      double reach_sq = -1;  // how far from the centre, squared, its features will do
+      std::vector<Index> features;
+    };
+    const Place& place_of(Point2 x);
+    void explore(Point2 x, Place& place) const;
+
+    const LocalFeatureSize* lfs_;
+    std::vector<Place> places_;  // the latest first
+  };
 
   /// The same with distances inside the domain, around holes and cracks (Definition 2.2.6); a point
   /// of a boundary belongs to both of its sides where both are in the domain. Never less than
@@ -47,22 +67,36 @@ class LocalFeatureSize {
 
   explicit LocalFeatureSize(PlanarTriangulation graph);
 
-  Point2 point(Index v) const { return graph_.delaunay.points()[v]; }
-  Point2 nearest_point(const Feature& feature, Point2 x) const;
-  double distance_to(const Feature& feature, Point2 x) const;
+  // A feature in scaled coordinates: a, and the way from there to b.
+  struct Stretch {
+    Point2 a, unit;
+    double length;
 
+    /// The point at that distance from a.
+    Point2 at(double along) const { return {a.x + along * unit.x, a.y + along * unit.y}; }
+    double nearest_to(Point2 x) const;
+    double distance_sq(Point2 x) const;
+  };
+
+  Point2 point(Index v) const { return graph_.delaunay.points()[v]; }
+  Point2 scaled(Point2 p) const { return {scale_ * p.x, scale_ * p.y}; }
+  Point2 nearest_point(std::size_t feature, Point2 x) const;
+
+  void measure_features();
   void build_tree(std::size_t node, std::size_t first, std::size_t last);
   template <class Visit>
   void visit_by_distance(Point2 x, Visit visit) const;
 
   std::vector<Index> triangles_around(Point2 x, Index near) const;
-  bool sees(Point2 x, const std::vector<Index>& around, const Feature& feature) const;
+  bool sees(Point2 x, const std::vector<Index>& around, std::size_t feature) const;
   bool reaches(Point2 x, Index triangle, Point2 target, const Feature& feature) const;
   double geodesic_from_vertex(Index v) const;
 
   PlanarTriangulation graph_;
-  std::vector<Feature> features_;  // in the order of the tree's leaves
-  std::vector<Box2> around_;       // node k has the children 2k + 1 and 2k + 2
+  double scale_ = 1;                // a power of two that makes the extent about 1
+  std::vector<Feature> features_;   // in the order of the tree's leaves
+  std::vector<Stretch> stretches_;  // the same
+  std::vector<Box2> around_;        // scaled; node k has the children 2k + 1 and 2k + 2
 };
 
 }  // namespace wellspaced

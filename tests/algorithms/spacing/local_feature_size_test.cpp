@@ -259,6 +259,21 @@ TEST(LocalFeatureSize, ScalesWithTheGraph) {
   }
 }
 
+TEST(LocalFeatureSize, IsTheSameFromNearBy) {
+  const LocalFeatureSize lfs = size_of(random_graph_of_segments(30, 10, 21));
+  LocalFeatureSize::Cursor cursor(lfs);
+  Random random(22);
+  Point2 x{0.5, 0.5};
+  for (int step = 0; step < 5000; ++step) {
+    EXPECT_EQ(cursor.at(x), lfs.at(x));
+    const double stride = step % 100 == 0 ? 0.3 : 0.003;
+    x = {x.x + random.uniform(-stride, stride), x.y + random.uniform(-stride, stride)};
+  }
+  const LocalFeatureSize nothing = size_of({});
+  LocalFeatureSize::Cursor nowhere(nothing);
+  EXPECT_EQ(nowhere.at({1, 2}), kInfinity);
+}
+
 // Lemma 2.2.7.
 TEST(LocalFeatureSize, IsOneLipschitz) {
   const Pslg graph = random_graph_of_segments(50, 20, 9);
