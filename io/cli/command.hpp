@@ -17,6 +17,9 @@ inline constexpr int kExitLimit = 5;
 
 int exit_code(ErrorCode code);
 
+/// Says which file an error of the library is about.
+Error in_file(const Error& error, const std::string& path);
+
 struct Command {
   std::string_view name;
   std::string_view operands;  ///< as the help shows them: "IN OUT"

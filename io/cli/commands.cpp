@@ -1,6 +1,7 @@
 #include <array>
 
 #include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/files/input_file.hpp"
 
 namespace wellspaced::cli {
 
@@ -9,17 +10,24 @@ extern const Command kAudit;
 extern const Command kCoarsen;
 extern const Command kConvert;
 extern const Command kGenerate;
+extern const Command kMesh;
 extern const Command kPredicate;
 extern const Command kTriangulate;
 
 namespace {
 
-constexpr std::array kCommands = {&kGenerate, &kTriangulate, &kCoarsen,
+constexpr std::array kCommands = {&kGenerate, &kTriangulate, &kMesh,   &kCoarsen,
                                   &kAudit,    &kPredicate,   &kConvert};
 
 }  // namespace
 
 std::span<const Command* const> commands() { return kCommands; }
+
+Error in_file(const Error& error, const std::string& path) {
+  if (error.code == ErrorCode::kCancelled || error.code == ErrorCode::kUsage) return error;
+  const std::string counted = error.ids.empty() ? "" : " (counted from 0)";
+  return {error.code, display_name(path) + ": " + error.message + counted, error.ids};
+}
 
 int exit_code(ErrorCode code) {
   switch (code) {

@@ -7,6 +7,7 @@
 #include "wellspaced/algorithms/generate/mis_degradation.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
 #include "wellspaced/algorithms/generate/points3.hpp"
+#include "wellspaced/algorithms/generate/well_spaced.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/text/numbers.hpp"
@@ -15,10 +16,12 @@
 namespace wellspaced::cli {
 namespace {
 
-constexpr std::array<Option, 10> kOptions = {{
+constexpr std::array<Option, 11> kOptions = {{
     {"--nodes", "N", "number of nodes or points (default 20000)"},
-    {"--grading", "OCTAVES", "crack, annulus, airfoil, spiral: spacing grows by 2^OCTAVES"},
+    {"--grading", "OCTAVES",
+     "crack, annulus, airfoil, spiral, wellspaced: spacing grows by 2^OCTAVES"},
     {"--boundary", "", "crack, annulus, airfoil: the boundary alone, as a domain"},
+    {"--tight", "", "wellspaced: balls touch, which leaves larger angles"},
     {"--nx", "N", "grid, lattice: nodes in a row (default 1000; lattice3: 50)"},
     {"--ny", "N", "grid, lattice: nodes in a column (default 1000; lattice3: 50)"},
     {"--nz", "N", "lattice3: layers (default 50)"},
@@ -115,6 +118,17 @@ Result<Geometry> make_graded(const Request& request) {
   return to_geometry(std::move(*mesh));
 }
 
+Result<Geometry> make_well_spaced(const Request& request) {
+  WellSpacedOptions options;
+  options.nodes = static_cast<Index>(request.nodes());
+  options.octaves = request.arguments.number("--grading", 0, at_least(0));
+  if (request.arguments.has("--tight")) options.style = WellSpacedStyle::kTight;
+  if (Status status = request.arguments.status(); !status) return status.error();
+  auto mesh = generate_well_spaced(options, request.session.progress());
+  if (!mesh) return mesh.error();
+  return to_geometry(std::move(*mesh));
+}
+
 Geometry points_geometry(std::vector<Point2> points) {
   Geometry geometry;
   geometry.mesh.points = std::move(points);
@@ -171,12 +185,13 @@ Result<Geometry> make_spiral(const Request& request) {
 constexpr std::string_view kGraded = " --nodes --grading --boundary ";
 constexpr std::string_view kPoints = " --nodes --shuffle ";
 
-constexpr std::array<Kind, 19> kKinds = {{
+constexpr std::array<Kind, 20> kKinds = {{
     {"grid", " --nx --ny --aspect --diagonals ", make_grid},
     {"crack", kGraded, make_graded<GradedDomain::kCrack>},
     {"annulus", kGraded, make_graded<GradedDomain::kAnnulus>},
     {"airfoil", kGraded, make_graded<GradedDomain::kAirfoil>},
     {"degradation", " --levels ", make_mis_degradation},
+    {"wellspaced", " --nodes --grading --tight ", make_well_spaced},
     {"random", kPoints,
      [](const Request& r) {
        return make_points(r, [n = r.nodes(), &r] { return random_points(n, r.seed()); });
@@ -291,7 +306,8 @@ const Command kGenerate = {
     .name = "generate",
     .operands = "KIND",
     .summary =
-        "make a test mesh (grid, crack, annulus, airfoil, degradation) or point set (random, "
+        "make a test mesh (grid, crack, annulus, airfoil, degradation, wellspaced) or point set "
+        "(random, "
         "clusters, "
         "circle, spiral, lattice, parabola, collinear, copies; in space box3, lattice3, sphere3, "
         "moment3, lines3, helix3)",

@@ -222,13 +222,6 @@ void leave_points_alone(const std::string& name, Session& session, Geometry& geo
   geometry.polygons.clear();
 }
 
-// Says which file an error of the library is about.
-Error in_file(const Error& error, const std::string& path) {
-  if (error.code == ErrorCode::kCancelled) return error;
-  const std::string counted = error.ids.empty() ? "" : " (counted from 0)";
-  return {error.code, display_name(path) + ": " + error.message + counted, error.ids};
-}
-
 Result<int> run(Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands()[0];
   Report report;

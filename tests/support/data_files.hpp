@@ -48,6 +48,22 @@ inline std::optional<TriangleMesh> data_mesh(const std::string& name) {
   return mesh;
 }
 
+/// The domain of NAME.poly, whose numbers start at 1, in the data directory: points, segments and
+/// holes; nothing if it is not there.
+inline std::optional<Pslg> data_domain(const std::string& name) {
+  const auto lines = number_lines(data_path(name + ".poly"));
+  if (lines.empty()) return std::nullopt;
+  Pslg domain;
+  auto line = lines.begin();
+  for (auto left = static_cast<std::size_t>((*line++)[0]); left > 0; --left, ++line)
+    domain.points.push_back({(*line)[1], (*line)[2]});
+  for (auto left = static_cast<std::size_t>((*line++)[0]); left > 0; --left, ++line)
+    domain.segments.push_back({zero_based((*line)[1]), zero_based((*line)[2]), 0});
+  for (auto left = static_cast<std::size_t>((*line++)[0]); left > 0; --left, ++line)
+    domain.holes.push_back({(*line)[1], (*line)[2]});
+  return domain;
+}
+
 /// A file with one number a line; empty if it is not there.
 inline std::vector<Index> index_file(const std::string& path) {
   std::vector<Index> numbers;
