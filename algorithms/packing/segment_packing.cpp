@@ -35,7 +35,7 @@ Result<RadiusMeasure> measure_in_radii(const SegmentPart& part, const BallRadius
     if (!(here > 0)) return bad_radius(part.at(last));
     if (measure.fraction.size() > 8 * most_points + 64 || !(t > last))
       return Error{ErrorCode::kLimit, "a segment needs more points than the limit", {}};
-    const double there = radius(part.at(t));
+    const double there = radius(part.beside(t));
     const double step = (t - last) * whole;
     measure.length.push_back(measure.length.back() + step * (0.5 / here + 0.5 / there));
     measure.fraction.push_back(t);
@@ -64,8 +64,9 @@ struct Ball {
   double radius;
 };
 
+// With a little more between than the rounding of the centres takes away.
 bool are_disjoint(const Ball& a, const Ball& b) {
-  return a.radius + b.radius <= distance(a.centre, b.centre);
+  return (a.radius + b.radius) * (1 + 1e-12) <= distance(a.centre, b.centre);
 }
 
 class SegmentPacking {
@@ -101,7 +102,7 @@ class SegmentPacking {
 
  private:
   Ball ball(double t) const {
-    const Point2 p = part_.at(t);
+    const Point2 p = part_.beside(t);
     return {p, radius_(p)};
   }
 
@@ -112,6 +113,10 @@ class SegmentPacking {
 }  // namespace
 
 double SegmentPart::length() const { return (to - from) * distance(a, b); }
+
+Point2 SegmentPart::beside(double t) const {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
 
 Point2 SegmentPart::at(double t) const {
   return t <= 0 ? a : t >= 1 ? b : point_on_segment(a, b, t);

@@ -21,6 +21,8 @@ struct SegmentPart {
   double length() const;
   /// The point at the fraction t, rounded to doubles beside the segment; a and b themselves.
   Point2 at(double t) const;
+  /// The same but for the rounding of two sums, in no time.
+  Point2 beside(double t) const;
 };
 
 /// The points to put on a part of a segment, in order, so that all point-balls on it are disjoint,

@@ -193,9 +193,9 @@ double LocalFeatureSize::at(Point2 x) const {
 // ---- From near by -------------------------------------------------------------------------
 
 // With s = lfs(centre), what matters at x lies within lfs(x) <= s + |x - centre| of x, so within
-// s + 2 |x - centre| of the centre: within 1.5 s, for x up to s / 5 away.
+// s + 2 |x - centre| of the centre: within 2.2 s, for x up to 0.6 s away.
 void LocalFeatureSize::Cursor::explore(Point2 x, Place& place) const {
-  constexpr double kRemembered = 1.5, kReach = 0.2;
+  constexpr double kRemembered = 2.3, kReach = 0.6;
   const double size = lfs_->at(x);
   place.centre = lfs_->scaled(x);
   place.reach_sq = square(kReach * lfs_->scale_ * size);
@@ -225,7 +225,7 @@ const LocalFeatureSize::Cursor::Place& LocalFeatureSize::Cursor::place_of(Point2
 }
 
 double LocalFeatureSize::Cursor::at(Point2 x) {
-  constexpr std::size_t kMany = 24;  // so many that the tree is as good
+  constexpr std::size_t kMany = 40;  // so many that the tree is as good
   const Place& place = place_of(x);
   const std::size_t count = place.features.size();
   if (count > kMany || !(place.reach_sq < kInfiniteSize)) return lfs_->at(x);

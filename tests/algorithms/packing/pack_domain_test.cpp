@@ -10,6 +10,7 @@
 #include "tests/support/domains.hpp"
 #include "tests/support/point_families.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
+#include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/circumcircle.hpp"
@@ -183,6 +184,19 @@ TEST(PackDomain, MeshesRealDomains) {
     EXPECT_GE(smallest_angle_away(result), 25) << name;
     EXPECT_LE(result.without_guarantee.size(), 2 * result.sharp_corners.size()) << name;
     EXPECT_LT(result.mesh.points.size(), 4 * domain->points.size()) << name;
+  }
+}
+
+TEST(PackDomain, MeshesGeneratedWingSections) {
+  for (const Index nodes : {1000u, 5000u}) {
+    const auto domain = generate_graded_boundary(GradedDomain::kAirfoil, {.nodes = nodes});
+    ASSERT_TRUE(domain.ok());
+    PackingOptions options;
+    options.holes = HoleRule::kSeeds;
+    const PackedMesh result = packed(*domain, options);
+    expect_valid(result, *domain);
+    EXPECT_TRUE(result.without_guarantee.empty());
+    EXPECT_GE(smallest_angle(result.mesh), 25);
   }
 }
 
