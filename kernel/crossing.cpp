@@ -151,7 +151,7 @@ std::int64_t floor_x(const Crossing& p) {
 }
 
 // Doubles next to a coordinate, the nearest first.
-struct Neighbours {
+struct CrossingNeighbours {
   bool exact = false;
   int count = 0;
   std::array<double, 5> value{};
@@ -161,19 +161,19 @@ struct Neighbours {
   }
 };
 
-Neighbours around_double(std::int64_t exact) {
+CrossingNeighbours around_double(std::int64_t exact) {
   const double x = numbered(exact);
   const double ulp = std::min(numbered(exact + 1) - x, x - numbered(exact - 1));
-  Neighbours result{true};
+  CrossingNeighbours result{true};
   for (const int step : {0, 1, -1, 2, -2}) result.add(numbered(exact + step), x, 2 * ulp);
   return result;
 }
 
 // Of a coordinate strictly between two doubles, the upper of which is the nearer or not.
-Neighbours around_gap(std::int64_t floor, std::int64_t up) {
+CrossingNeighbours around_gap(std::int64_t floor, std::int64_t up) {
   const double below = numbered(floor), above = numbered(floor + 1), ulp = above - below;
   const std::int64_t outward = up != 0 ? 1 : -1;
-  Neighbours result;
+  CrossingNeighbours result;
   for (const std::int64_t n :
        {floor + up, floor + 1 - up, floor + up + outward, floor + 1 - up - outward}) {
     result.add(numbered(n), n <= floor ? below : above, ulp);
@@ -181,7 +181,7 @@ Neighbours around_gap(std::int64_t floor, std::int64_t up) {
   return result;
 }
 
-Neighbours neighbours_of_x(const Crossing& p) {
+CrossingNeighbours neighbours_of_x(const Crossing& p) {
   const std::int64_t floor = floor_x(p);
   if (compare_x(p, numbered(floor)) == 0) return around_double(floor);
   const int side = compare_x_with_mean(p, numbered(floor), numbered(floor + 1));
@@ -218,7 +218,7 @@ int compare_xy(const Crossing& p, Point2 q) {
 }
 
 RoundedCrossing round_crossing(const Crossing& crossing) {
-  const Neighbours x = neighbours_of_x(crossing), y = neighbours_of_x(mirrored(crossing));
+  const CrossingNeighbours x = neighbours_of_x(crossing), y = neighbours_of_x(mirrored(crossing));
   RoundedCrossing result;
   result.exact = x.exact && y.exact;
   for (int ranks = 0; ranks < x.count + y.count - 1; ++ranks) {

@@ -6,14 +6,14 @@
 namespace wellspaced {
 namespace {
 
-constexpr int kDigitBits = 11;
+constexpr int kRadixBits = 11;
 constexpr int kDigits = 6;  // 66 bits >= 64
-constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
+constexpr std::size_t kBuckets = std::size_t{1} << kRadixBits;
 constexpr std::size_t kFewItems = 256;  // below this a comparison sort is faster
 
 using Histogram = std::array<std::size_t, kBuckets>;
 
-std::size_t digit(std::uint64_t key, int d) { return (key >> (d * kDigitBits)) & (kBuckets - 1); }
+std::size_t digit(std::uint64_t key, int d) { return (key >> (d * kRadixBits)) & (kBuckets - 1); }
 
 // Turns counts into the position at which each bucket starts.
 void accumulate(Histogram& histogram) {

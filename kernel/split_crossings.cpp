@@ -32,7 +32,7 @@ struct Node {
 };
 
 // Crossings in each other's way.
-using Conflict = std::vector<Index>;
+using Misfits = std::vector<Index>;
 
 class Splitter {
  public:
@@ -49,14 +49,14 @@ class Splitter {
   Status find_candidates();
   std::vector<Point2> all_points() const;
   std::size_t choices(const Node& node) const;
-  Result<SplitGraph> attempt(std::vector<Conflict>& conflicts) const;
+  Result<SplitGraph> attempt(std::vector<Misfits>& conflicts) const;
   Index sharer(const Delaunay2& dt, Index node) const;
-  Conflict nodes_at(const SplitGraph& split, std::span<const Index> vertices) const;
-  void add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Conflict& nodes) const;
-  bool move_on(const std::vector<Conflict>& conflicts);
-  void move_by_chance(const std::vector<Conflict>& conflicts);
-  Result<SplitGraph> search_in_order(std::vector<Conflict>& conflicts);
-  Result<SplitGraph> search_by_chance(std::vector<Conflict>& conflicts);
+  Misfits nodes_at(const SplitGraph& split, std::span<const Index> vertices) const;
+  void add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Misfits& nodes) const;
+  bool move_on(const std::vector<Misfits>& conflicts);
+  void move_by_chance(const std::vector<Misfits>& conflicts);
+  Result<SplitGraph> search_in_order(std::vector<Misfits>& conflicts);
+  Result<SplitGraph> search_by_chance(std::vector<Misfits>& conflicts);
   Error refusal(Index node) const;
 
   std::span<const Point2> points_;
@@ -184,7 +184,7 @@ Index Splitter::sharer(const Delaunay2& dt, Index node) const {
 }
 
 // Triangulates with the present choices. Fails with what has to move in `conflicts`.
-Result<SplitGraph> Splitter::attempt(std::vector<Conflict>& conflicts) const {
+Result<SplitGraph> Splitter::attempt(std::vector<Misfits>& conflicts) const {
   conflicts.clear();
   Result<Delaunay2> built = Delaunay2::build(all_points());
   if (!built) return built.error();
@@ -214,9 +214,9 @@ Result<SplitGraph> Splitter::attempt(std::vector<Conflict>& conflicts) const {
 // The crossings among vertices in each other's way, perhaps on an input point; or else those of the
 // segment that was bent until it ran between input points, through the last two: between segments
 // that are not bent all is exact.
-Conflict Splitter::nodes_at(const SplitGraph& split, std::span<const Index> vertices) const {
+Misfits Splitter::nodes_at(const SplitGraph& split, std::span<const Index> vertices) const {
   const Index first_node = static_cast<Index>(points_.size());
-  Conflict nodes;
+  Misfits nodes;
   for (const Index v : vertices)
     if (v >= first_node) nodes.push_back(v - first_node);
   for (Index node = 0; nodes.empty() && node < nodes_.size(); ++node)
@@ -228,7 +228,7 @@ Conflict Splitter::nodes_at(const SplitGraph& split, std::span<const Index> vert
 }
 
 // Adds the crossings on the segments that have the edge from c to d.
-void Splitter::add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Conflict& nodes) const {
+void Splitter::add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Misfits& nodes) const {
   const Index first_node = static_cast<Index>(points_.size());
   const auto is_edge = [&](Index u, Index v) { return (u == c && v == d) || (u == d && v == c); };
   for (std::size_t s = 0; s < split.chains.size(); ++s) {
@@ -241,9 +241,9 @@ void Splitter::add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Conf
 
 // Of each conflict, moves the crossing that was moved least so far to its next rounding, from the
 // last back to the first. Returns false if none has another.
-bool Splitter::move_on(const std::vector<Conflict>& conflicts) {
+bool Splitter::move_on(const std::vector<Misfits>& conflicts) {
   std::vector<Index> blamed;
-  for (const Conflict& nodes : conflicts)
+  for (const Misfits& nodes : conflicts)
     blamed.push_back(*std::min_element(nodes.begin(), nodes.end(), [&](Index k, Index l) {
       return nodes_[k].choice < nodes_[l].choice;
     }));
@@ -258,15 +258,15 @@ bool Splitter::move_on(const std::vector<Conflict>& conflicts) {
   return moved;
 }
 
-Result<SplitGraph> Splitter::search_in_order(std::vector<Conflict>& conflicts) {
+Result<SplitGraph> Splitter::search_in_order(std::vector<Misfits>& conflicts) {
   Result<SplitGraph> split = attempt(conflicts);
   for (std::size_t k = 1; k < kOrderlyAttempts && !conflicts.empty() && move_on(conflicts); ++k)
     split = attempt(conflicts);
   return split;
 }
 
-void Splitter::move_by_chance(const std::vector<Conflict>& conflicts) {
-  for (const Conflict& nodes : conflicts) {
+void Splitter::move_by_chance(const std::vector<Misfits>& conflicts) {
+  for (const Misfits& nodes : conflicts) {
     if (random_.below(2) == 0) continue;
     Node& node = nodes_[nodes[random_.below(nodes.size())]];
     node.choice = random_.below(choices(node));
@@ -274,13 +274,13 @@ void Splitter::move_by_chance(const std::vector<Conflict>& conflicts) {
 }
 
 // From the present choices to ones with as few conflicts or fewer, and so on.
-Result<SplitGraph> Splitter::search_by_chance(std::vector<Conflict>& conflicts) {
+Result<SplitGraph> Splitter::search_by_chance(std::vector<Misfits>& conflicts) {
   Result<SplitGraph> split = attempt(conflicts);
   const std::size_t points = points_.size() + nodes_.size();
   const std::size_t attempts = kOrderlyAttempts + kPointsByChance / points;
   for (std::size_t k = 0; k < attempts && !conflicts.empty(); ++k) {
     const std::vector<Node> before = nodes_;
-    std::vector<Conflict> left;
+    std::vector<Misfits> left;
     move_by_chance(conflicts);
     split = attempt(left);
     if (left.size() <= conflicts.size())
@@ -295,7 +295,7 @@ Result<SplitGraph> Splitter::run() {
   number_nodes();
   chain_segments();
   if (Status status = find_candidates(); !status) return status.error();
-  std::vector<Conflict> conflicts;
+  std::vector<Misfits> conflicts;
   for (const Demand demand : {Demand::kSameVertices, Demand::kValid}) {
     demand_ = demand;
     Result<SplitGraph> split = search_in_order(conflicts);

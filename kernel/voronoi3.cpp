@@ -101,10 +101,10 @@ struct PolygonCorner {
   Point3 at;
   Index plane;
 };
-using Polygon = std::vector<PolygonCorner>;
+using CellPolygon = std::vector<PolygonCorner>;
 
-Polygon clip(const Polygon& polygon, const HalfSpace& half_space, Index plane) {
-  Polygon kept;
+CellPolygon clip(const CellPolygon& polygon, const HalfSpace& half_space, Index plane) {
+  CellPolygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const PolygonCorner& here = polygon[i];
     const PolygonCorner& next = polygon[(i + 1) % polygon.size()];
@@ -113,7 +113,7 @@ Polygon clip(const Polygon& polygon, const HalfSpace& half_space, Index plane) {
     if (a < 0 && b > 0) kept.push_back({along(here.at, next.at, a / (a - b)), plane});
     if (a > 0 && b < 0) kept.push_back({along(here.at, next.at, a / (a - b)), here.plane});
   }
-  return kept.size() < 3 ? Polygon{} : kept;
+  return kept.size() < 3 ? CellPolygon{} : kept;
 }
 
 // The cell as half spaces, relative to its vertex: first the six of the box, then the bisectors.
@@ -136,7 +136,7 @@ class CellBuilder {
 
   VoronoiCell3 build() {
     for (Index k = 0; k < half_spaces_.size(); ++k) {
-      Polygon polygon = square_on(half_spaces_[k]);
+      CellPolygon polygon = square_on(half_spaces_[k]);
       for (Index m = 0; m < half_spaces_.size() && !polygon.empty(); ++m)
         if (m != k) polygon = clip(polygon, half_spaces_[m], m);
       add_facet(k, polygon);
@@ -148,7 +148,7 @@ class CellBuilder {
   static constexpr std::size_t kBoxPlanes = 6;
 
   // A square on the plane, counter-clockwise seen from outside, that holds all of it in the box.
-  Polygon square_on(const HalfSpace& h) const {
+  CellPolygon square_on(const HalfSpace& h) const {
     const double length = std::sqrt(dot(h.normal, h.normal));
     const Point3 n{h.normal.x / length, h.normal.y / length, h.normal.z / length};
     const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
@@ -189,7 +189,7 @@ class CellBuilder {
     return common.empty() ? kNoIndex : common.front();
   }
 
-  void add_facet(Index plane, const Polygon& polygon) {
+  void add_facet(Index plane, const CellPolygon& polygon) {
     VoronoiCell3::Facet facet{neighbors_[plane], {}};
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Index before = polygon[(i + polygon.size() - 1) % polygon.size()].plane;

@@ -10,19 +10,19 @@ namespace wellspaced {
 namespace {
 
 using Coordinate = exact::BigCoordinate;
-using Square = BigInteger<66>;
+using ExactSquare = BigInteger<66>;
 
 // A sum of two squares of differences: one bit more than a square, and 66 limbs have 24 to spare.
-Square squared_distance(const Coordinate& ax, const Coordinate& ay, const Coordinate& bx,
-                        const Coordinate& by) {
+ExactSquare squared_distance(const Coordinate& ax, const Coordinate& ay, const Coordinate& bx,
+                             const Coordinate& by) {
   const Coordinate dx = ax - bx, dy = ay - by;
   return dx * dx + dy * dy;
 }
 
 // The sign of sqrt(a) - sqrt(b) - d for d >= 0: that of a - b - d^2 - 2 d sqrt(b), whose last term
 // is compared with the others by its square.
-int sign_of_root_difference(const Square& a, const Square& b, const Coordinate& d) {
-  const Square rest = a - b - d * d;
+int sign_of_root_difference(const ExactSquare& a, const ExactSquare& b, const Coordinate& d) {
+  const ExactSquare rest = a - b - d * d;
   if (rest.sign() < 0) return -1;
   const Coordinate twice = d + d;
   return sign_of(rest * rest - (twice * twice) * b);
@@ -31,8 +31,8 @@ int sign_of_root_difference(const Square& a, const Square& b, const Coordinate& 
 int exact_order(const WeightedSite& a, const WeightedSite& b, Point2 x) {
   const auto c = exact::big_coordinates(
       std::array{a.place.x, a.place.y, b.place.x, b.place.y, x.x, x.y, a.weight, b.weight});
-  const Square to_a = squared_distance(c[0], c[1], c[4], c[5]);
-  const Square to_b = squared_distance(c[2], c[3], c[4], c[5]);
+  const ExactSquare to_a = squared_distance(c[0], c[1], c[4], c[5]);
+  const ExactSquare to_b = squared_distance(c[2], c[3], c[4], c[5]);
   const Coordinate d = c[7] - c[6];
   return d.sign() >= 0 ? sign_of_root_difference(to_a, to_b, d)
                        : -sign_of_root_difference(to_b, to_a, c[6] - c[7]);

@@ -34,7 +34,7 @@ Hit ray_hits(const Vec<2>& x, const std::array<Vec<2>, 2>& segment) {
 // The side of the edge from a to b, seen along the first axis, of x displaced by e along the second
 // axis and by much less along the third: never 0 unless a and b look the same.
 int displaced_side(const Vec<3>& a, const Vec<3>& b, const Vec<3>& x) {
-  const int side = orient2d({a[1], a[2]}, {b[1], b[2]}, {x[1], x[2]});
+  const int side = orient2d(Point2{a[1], a[2]}, Point2{b[1], b[2]}, Point2{x[1], x[2]});
   if (side != 0) return side;
   if (a[2] != b[2]) return a[2] > b[2] ? 1 : -1;
   return a[1] == b[1] ? 0 : (b[1] > a[1] ? 1 : -1);

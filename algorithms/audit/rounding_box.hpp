@@ -37,7 +37,7 @@ inline bool passes_near(Point2 a, Point2 b, Point2 p, double units) {
   const double x = rounding_between(a.x, b.x, units), y = rounding_between(a.y, b.y, units);
   for (const double dx : {-x, x})
     for (const double dy : {-y, y})
-      if (orient2d(a, b, {moved(p.x, dx), moved(p.y, dy)}) != sign) return true;
+      if (orient2d(a, b, Point2{moved(p.x, dx), moved(p.y, dy)}) != sign) return true;
   return false;
 }
 

@@ -20,7 +20,7 @@
 namespace wellspaced {
 namespace {
 
-Error usage(std::string message) { return {ErrorCode::kUsage, std::move(message), {}}; }
+Error wrong_usage(std::string message) { return {ErrorCode::kUsage, std::move(message), {}}; }
 
 // A header "count dimension attributes markers", and how many lines of fields follow it.
 bool has_node_header(std::string_view text) {
@@ -110,13 +110,14 @@ template <VtkEncoding kEncoding>
 Status write_as_vtk(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
   constexpr std::size_t kMostPoints = 0x7FFFFFFF;  // legacy files count with 32 bits
   if (geometry.point_count() > kMostPoints)
-    return usage(path + ": a legacy VTK file holds 2147483647 points at most; write .vtu");
+    return wrong_usage(path + ": a legacy VTK file holds 2147483647 points at most; write .vtu");
   const VtkGrid grid = grid_of(geometry);
   return outputs.add(path, [&](TextWriter& out) { write_vtk(out, grid, kEncoding); });
 }
 
 Status write_as_svg(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
-  if (geometry.dimension != 2) return usage(path + ": only what is in the plane can be drawn");
+  if (geometry.dimension != 2)
+    return wrong_usage(path + ": only what is in the plane can be drawn");
   return outputs.add(path, [&](TextWriter& out) { write_mesh_svg(out, geometry.mesh); });
 }
 
@@ -278,10 +279,11 @@ Result<Geometry> read_geometry(const std::string& given, const ReadOptions& opti
   const Format* format =
       options.format.empty() ? find_by_extension(path) : find_by_name(options.format);
   if (!options.format.empty() && format == nullptr)
-    return usage("unknown format " + in_quotes(options.format) + "; there are " + readable_names());
+    return wrong_usage("unknown format " + in_quotes(options.format) + "; there are " +
+                       readable_names());
   if (format != nullptr && !format->readable())
-    return usage(display_name(path) + ": " + std::string(format->name) +
-                 " files cannot be read; readable are " + readable_names());
+    return wrong_usage(display_name(path) + ": " + std::string(format->name) +
+                       " files cannot be read; readable are " + readable_names());
   if (options.format.empty() && triangle_set_name(path) != path)
     return options.siblings == Siblings::kRead ? read_triangle_set(path, options.largest)
                                                : read_triangle_file(path, options.largest);
@@ -362,11 +364,11 @@ Status write_geometry(OutputSet& outputs, const std::string& path, const std::st
   const Format* const format =
       format_name.empty() ? find_by_extension(path) : find_by_name(format_name);
   if (format == nullptr && format_name.empty())
-    return usage(path +
-                 ": no format has this extension; name one with --format: " + writable_names());
+    return wrong_usage(
+        path + ": no format has this extension; name one with --format: " + writable_names());
   if (format == nullptr || format->write == nullptr)
-    return usage("cannot write format " + in_quotes(format_name) + "; there are " +
-                 writable_names());
+    return wrong_usage("cannot write format " + in_quotes(format_name) + "; there are " +
+                       writable_names());
   return format->write(outputs, path, geometry);
 }
 

@@ -22,6 +22,9 @@ namespace wellspaced {
 Result<Geometry> parse_gmsh(std::string_view bytes, const std::string& name);
 bool recognise_gmsh(std::string_view bytes);
 
+/// The name of the physical group of elements without a marker; it is read as marker 0.
+inline constexpr std::string_view kGmshUnmarked = "unmarked";
+
 enum class GmshVersion { k22, k41 };
 enum class GmshEncoding { kAscii, kBinary };
 struct GmshStyle {
@@ -29,7 +32,9 @@ struct GmshStyle {
   GmshEncoding encoding = GmshEncoding::kAscii;
 };
 
-/// Writes the elements in their order; points with a marker become point elements.
+/// Writes the elements in their order; points with a marker become point elements. Where only some
+/// elements have a marker, the others are put into a physical group kGmshUnmarked, since Gmsh drops
+/// elements that are in none.
 /// Errors: kUsage for facets that are no triangles.
 Status write_gmsh(OutputSet& outputs, const std::string& path, const Geometry& geometry,
                   GmshStyle style = {});

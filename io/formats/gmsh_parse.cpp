@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "wellspaced/io/formats/gmsh.hpp"
@@ -104,6 +105,7 @@ class GmshParser {
   std::vector<std::pair<std::int64_t, Index>> nodes_;  // by tag, once they are sorted
   std::vector<int> tet_markers_, point_markers_;
   std::map<std::pair<int, std::int64_t>, int> physical_;  // of an entity (dimension, tag)
+  std::set<std::pair<int, int>> unmarked_;                // physical groups (dimension, tag)
 };
 
 void GmshParser::read_format() {
@@ -139,7 +141,11 @@ void GmshParser::read_names() {
     if (!text.empty() && text.front() == '"') text.remove_prefix(1);
     if (!text.empty() && text.back() == '"') text.remove_suffix(1);
     name.name = text;
-    geometry_.marker_names.push_back(std::move(name));
+    if (name.name == kGmshUnmarked) {
+      unmarked_.emplace(name.dimension, name.marker);
+    } else {
+      geometry_.marker_names.push_back(std::move(name));
+    }
   }
 }
 
@@ -257,6 +263,8 @@ std::size_t GmshParser::corners_of(std::int64_t type) {
 void GmshParser::add_element(std::int64_t type, int marker, const std::array<Index, 4>& corners) {
   const auto& [a, b, c, d] = corners;
   TetMesh& solid = geometry_.solid;
+  const int dimension = type == 1 ? 1 : type == 2 ? 2 : type == 4 ? 3 : 0;
+  if (unmarked_.contains({dimension, marker})) marker = 0;
   if (type == 15 && marker != 0) {
     point_markers_.resize(solid.points.size());
     point_markers_[a] = marker;

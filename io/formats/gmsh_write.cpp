@@ -46,7 +46,11 @@ class GmshWriter {
  public:
   GmshWriter(TextWriter& out, const Geometry& lifted, GmshStyle style)
       : out_(out), geometry_(lifted), style_(style), elements_(gmsh_elements(lifted)) {
-    for (const GmshElements& elements : elements_) name_entities(elements);
+    for (const GmshElements& elements : elements_) {
+      name_entities(elements);
+      marked_ |= std::any_of(elements.markers.begin(), elements.markers.end(),
+                             [](int marker) { return marker != 0; });
+    }
   }
 
   void write();
@@ -63,6 +67,7 @@ class GmshWriter {
   void end_data() { out_ << (binary() ? "\n" : ""); }
 
   void name_entities(const GmshElements& elements);
+  int group_of(int dimension, int marker) const;
   std::int64_t entity_of(int dimension, int marker) const {
     return entities_[static_cast<std::size_t>(dimension)].at(marker);
   }
@@ -82,6 +87,7 @@ class GmshWriter {
   GmshStyle style_;
   std::array<GmshElements, 4> elements_;
   std::array<std::map<int, std::int64_t>, 4> entities_;  // marker to tag
+  bool marked_ = false;                                  // whether an element has a marker
   std::size_t next_element_ = 1;
   std::string bytes_;
 };
@@ -105,6 +111,13 @@ void GmshWriter::name_entities(const GmshElements& elements) {
   for (const int marker : markers) entities[marker] = marker > 0 ? marker : next++;
 }
 
+// Where some elements are in a physical group, Gmsh drops those that are in none: then those
+// without a marker get one that is called "unmarked".
+int GmshWriter::group_of(int dimension, int marker) const {
+  if (marker != 0 || !marked_) return marker;
+  return static_cast<int>(entity_of(dimension, 0));
+}
+
 void GmshWriter::write_format() {
   out_ << "$MeshFormat\n"
        << (style_.version == GmshVersion::k22 ? "2.2 " : "4.1 ") << (binary() ? "1 8\n" : "0 8\n");
@@ -114,12 +127,15 @@ void GmshWriter::write_format() {
 }
 
 void GmshWriter::write_names() {
-  if (geometry_.marker_names.empty()) return;
-  out_ << "$PhysicalNames\n" << geometry_.marker_names.size() << '\n';
-  for (const MarkerName& known : geometry_.marker_names) {
-    std::string name = known.name;
-    std::replace(name.begin(), name.end(), '"', '\'');
-    out_ << known.dimension << ' ' << known.marker << " \"" << name << "\"\n";
+  std::vector<MarkerName> names = geometry_.marker_names;
+  for (int dimension = 1; dimension < 4 && marked_; ++dimension)
+    if (entities_[static_cast<std::size_t>(dimension)].contains(0))
+      names.push_back({dimension, group_of(dimension, 0), std::string(kGmshUnmarked)});
+  if (names.empty()) return;
+  out_ << "$PhysicalNames\n" << names.size() << '\n';
+  for (MarkerName& known : names) {
+    std::replace(known.name.begin(), known.name.end(), '"', '\'');
+    out_ << known.dimension << ' ' << known.marker << " \"" << known.name << "\"\n";
   }
   out_ << "$EndPhysicalNames\n";
 }
@@ -134,8 +150,9 @@ void GmshWriter::write_entity(int dimension, int marker, std::int64_t tag) {
   integer(tag);
   place(low);
   if (dimension > 0) place(high);
-  wide(marker == 0 ? 0 : 1);
-  if (marker != 0) integer(marker);
+  const int group = group_of(dimension, marker);
+  wide(group == 0 ? 0 : 1);
+  if (group != 0) integer(group);
   if (dimension > 0) wide(0);
   end_line();
 }
@@ -205,7 +222,7 @@ void GmshWriter::write_elements_2() {
     for (std::size_t i = 0; i < elements.size(); ++i) {
       integer(static_cast<std::int64_t>(next_element_++));
       if (!binary()) integer(elements.type), integer(2);
-      integer(elements.markers[i]);
+      integer(group_of(elements.dimension, elements.markers[i]));
       integer(entity_of(elements.dimension, elements.markers[i]));
       for (const Index v : elements.of(i)) integer(std::int64_t{v} + 1);
       end_line();
