@@ -232,10 +232,10 @@ void audit_level_spacing(Judged& coarse, const Judged& selected_from,
     euclidean.violate({v, w});
 }
 
-// f_E <= f_M <= mu f_E, where f_M are the values of the level, coarsened in the graph metric of the
-// level before, and f_E what the Euclidean metric makes of the same. The dilation mu of a Delaunay
-// triangulation is at most 2 pi / (3 cos(pi / 6)), if no boundary is in the way.
-void compare_with_lemma_7_1_4(Judged& coarse, const Judged& finer, double factor) {
+// f_E <= f_M <= mu f_E for the values of a level, coarsened by C in the metric of its graph and in
+// the Euclidean one. The dilation mu of a Delaunay triangulation is at most 2 pi / (3 cos(pi / 6)),
+// if no boundary is in the way.
+void compare_with_lemma_7_1_4(const Judged& finer, double factor, Report& report) {
   constexpr double kDilation = 2.4183991523122903, kSlack = 1 + 1e-9;
   std::vector<Vec<2>> places;
   std::vector<double> values;
@@ -244,11 +244,11 @@ void compare_with_lemma_7_1_4(Judged& coarse, const Judged& finer, double factor
     values.push_back(factor * finer.level.spacing[v]);
   }
   const SpacingTree<2> euclidean(places, values);
+  const std::vector<double> by_graph = coarsened_in_graph(finer.mesh(), values, 1);
   double least = kInfinity, largest = 0;
-  for (Index v = 0; v < coarse.mesh().points.size(); ++v) {
-    const double by_graph = coarse.level.spacing[v];
-    const double directly = euclidean.at(coordinates_of(coarse.mesh().points[v])).value;
-    least = std::min(least, by_graph / directly), largest = std::max(largest, by_graph / directly);
+  for (Index v = 0; v < places.size(); ++v) {
+    const double quotient = by_graph[v] / euclidean.at(places[v]).value;
+    least = std::min(least, quotient), largest = std::max(largest, quotient);
   }
   Theorem lower;
   lower.name = "7.1.4";
@@ -261,8 +261,22 @@ void compare_with_lemma_7_1_4(Judged& coarse, const Judged& finer, double factor
   upper.holds = largest <= kDilation * kSlack;
   if (!finer.is_convex()) upper.missing_hypothesis = "the level before fills a convex polygon";
   if (!finer.passes("delaunay")) upper.missing_hypothesis = "the level before is Delaunay";
-  coarse.report.theorems.push_back(std::move(lower));
-  coarse.report.theorems.push_back(std::move(upper));
+  report.theorems.push_back(std::move(lower));
+  report.theorems.push_back(std::move(upper));
+}
+
+// By how much the values of a level differ from those of the level before, coarsened.
+void measure_coarsening(Judged& coarse, const Judged& finer, double factor) {
+  const auto coarsened = coarsened_in_graph(finer.mesh(), finer.level.spacing, factor);
+  double least = kInfinity, largest = 0;
+  for (Index v = 0; v < coarse.parents.size(); ++v) {
+    if (coarse.parents[v] == kNoIndex) continue;
+    const double quotient = coarse.level.spacing[v] / coarsened[coarse.parents[v]];
+    least = std::min(least, quotient), largest = std::max(largest, quotient);
+  }
+  coarse.report.add_measure("spacing_to_coarsened_min", least);
+  coarse.report.add_measure("spacing_to_coarsened_max", largest);
+  compare_with_lemma_7_1_4(finer, factor, coarse.report);
 }
 
 // ---- The whole
@@ -306,7 +320,7 @@ void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
   // From the values of level 0 the first level takes the factor C beta.
   const double factor = options.factor * (&finer == &finest ? options.beta : 1);
   if (factor > 0 && !from_finest && has_spacing(coarse, options) && has_spacing(finer, options))
-    compare_with_lemma_7_1_4(coarse, finer, factor);
+    measure_coarsening(coarse, finer, factor);
 }
 
 // A check without a level that counts the levels' violations of one name, or of all required ones.

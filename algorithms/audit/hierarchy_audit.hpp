@@ -65,7 +65,9 @@ struct HierarchyAuditOptions {
 ///   intersection_mean and intersection_max (triangles of the level before that a triangle meets),
 ///   intersection_max_finer (triangles that one of the level before meets), similarity (the
 ///   constant of Definition 5.1.5). Without a level: levels, and the worst of similarity and
-///   intersection_max over all levels.
+///   intersection_max over all levels. If the factor is known, spacing_to_coarsened_min and _max:
+///   the level's values by what the values of the level before become in its graph metric; 1 and 1
+///   for the coarsening function itself, less where it was bounded otherwise.
 /// Theorems, for each pair of levels: 5.1.7, local similarity bounds the intersections; 7.1.4, the
 ///   graph metric changes coarsening functions by at most the dilation.
 /// Cost: that of audit_mesh on all levels, of count_intersections and of graph_spacing_violations.

@@ -125,4 +125,29 @@ std::vector<std::array<Index, 2>> euclidean_spacing_violations(const TriangleMes
   return edges;
 }
 
+std::vector<double> coarsened_in_graph(const TriangleMesh& mesh, std::span<const double> values,
+                                       double factor) {
+  const Neighbours neighbours(mesh);
+  std::vector<double> coarsened;
+  std::vector<std::pair<double, Index>> heap;
+  for (Index v = 0; v < values.size(); ++v) {
+    coarsened.push_back(factor * values[v]);
+    heap.push_back({coarsened[v], v});
+  }
+  std::make_heap(heap.begin(), heap.end(), std::greater<>());
+  while (!heap.empty()) {
+    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+    const auto [at, v] = heap.back();
+    heap.pop_back();
+    if (at > coarsened[v]) continue;
+    neighbours.for_each(v, [&, from = at](Index w, double length) {
+      if (from + length >= coarsened[w]) return;
+      coarsened[w] = from + length;
+      heap.push_back({coarsened[w], w});
+      std::push_heap(heap.begin(), heap.end(), std::greater<>());
+    });
+  }
+  return coarsened;
+}
+
 }  // namespace wellspaced::audit

@@ -38,4 +38,10 @@ std::vector<std::array<Index, 2>> euclidean_spacing_violations(const TriangleMes
                                                                std::span<const double> spacing,
                                                                double beta);
 
+/// The coarsening function f_{g,C} in the graph metric at the nodes of a mesh: for each node i the
+/// least C g_j + d_G(i, j) over all nodes j (Lemma 7.1.4).
+/// Requires: one value >= 0 a node; factor > 0. Cost: O(n log n).
+std::vector<double> coarsened_in_graph(const TriangleMesh& mesh, std::span<const double> values,
+                                       double factor);
+
 }  // namespace wellspaced::audit

@@ -1,26 +1,12 @@
 // Does a tetrahedral mesh conform to a polyhedral domain? Decided exactly.
 #pragma once
 
-#include <vector>
-
+#include "wellspaced/algorithms/audit/polyhedral_domain.hpp"
 #include "wellspaced/algorithms/audit/report.hpp"
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced::audit {
-
-/// A facet: polygons in one plane. Their edges, those that occur twice cancelling, bound it; so a
-/// hole is a further polygon, and a dangling edge a polygon of two points.
-using FacetPolygons = std::vector<std::vector<Index>>;
-
-/// A domain in space: points, segments beside the edges of facets, facets, and one point in each
-/// cavity.
-struct PolyhedralDomain {
-  std::vector<Point3> points;
-  std::vector<Segment> segments;
-  std::vector<FacetPolygons> facets;
-  std::vector<Point3> holes;
-};
 
 /// allowance: how far nodes may be from their segments and facets, see below.
 struct SolidToMeet {

@@ -11,6 +11,7 @@
 #include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/audit/point_mesh.hpp"
+#include "wellspaced/algorithms/audit/polyhedral_domain.hpp"
 #include "wellspaced/algorithms/audit/requirement.hpp"
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
 #include "wellspaced/algorithms/audit/tet_embedding.hpp"
@@ -45,6 +46,7 @@ constexpr std::array<Option, 8> kOptions = {{
 // What the options ask for.
 struct Demands {
   std::optional<Pslg> domain;
+  std::optional<audit::PolyhedralDomain> solid_domain;
   double allowance = 2;
   std::string spacing;  // a file, "nn", or empty
   bool is_packing = false;
@@ -79,10 +81,22 @@ Status read_requirements(const std::string& path, Demands& demands) {
 Status read_domain(const std::string& path, Demands& demands) {
   auto geometry = read_geometry(path);
   if (!geometry) return geometry.error();
-  if (geometry->dimension != 2)
-    return Error{ErrorCode::kUsage, "audit: --domain must name a planar domain", {}};
-  demands.domain = to_pslg(std::move(*geometry));
+  if (geometry->dimension == 2) {
+    demands.domain = to_pslg(std::move(*geometry));
+  } else {
+    demands.solid_domain = audit::domain_of(to_pls(std::move(*geometry)));
+  }
   return Ok{};
+}
+
+// A domain of another dimension than the mesh says nothing about it.
+Status check_dimension(const Demands& demands, int dimension) {
+  if (dimension == 2 ? !demands.solid_domain : !demands.domain) return Ok{};
+  return Error{ErrorCode::kUsage,
+               std::string("audit: --domain names a domain in ") +
+                   (dimension == 2 ? "space, but the mesh lies in the plane"
+                                   : "the plane, but the mesh lies in space"),
+               {}};
 }
 
 Result<Demands> read_demands(Arguments& arguments) {
@@ -156,6 +170,13 @@ audit::Report audit_triangles(const std::string& path, const Geometry& geometry,
   return audit::audit_mesh(geometry.mesh, options);
 }
 
+audit::Report audit_tets(const TetMesh& mesh, const Demands& demands) {
+  audit::TetAuditOptions options;
+  if (demands.solid_domain) options.domain = &*demands.solid_domain;
+  options.allowance = demands.allowance;
+  return audit::audit_tet_mesh(mesh, options);
+}
+
 // Judges the spacing of the nodes, if that is asked for.
 template <class Mesh>
 Status add_spacing(const Demands& demands, const Mesh& mesh, audit::Report& report) {
@@ -212,10 +233,11 @@ Result<audit::Report> audit_file(const std::string& path, const Demands& demands
   for (const std::string& note : geometry->notes) session.note(note);
   if (!geometry->has_cells())
     if (Status status = mesh_points(path, demands, *geometry); !status) return status.error();
+  if (Status status = check_dimension(demands, geometry->dimension); !status) return status.error();
   turn_if_needed(*geometry, display_name(path), session);
   if (geometry->dimension == 2)
     return finish(audit_triangles(path, *geometry, demands), geometry->mesh, demands, session);
-  return finish(audit::audit_tet_mesh(geometry->solid), geometry->solid, demands, session);
+  return finish(audit_tets(geometry->solid, demands), geometry->solid, demands, session);
 }
 
 bool is_directory(const std::string& path) {

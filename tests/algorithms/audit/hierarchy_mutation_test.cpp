@@ -241,15 +241,18 @@ TEST(HierarchyTheorems, HoldForCleanHierarchies) {
   }
 }
 
-TEST(HierarchyTheorems, SeeASpacingFunctionThatIsNotTheCoarsenedOne) {
+TEST(HierarchyMeasures, TellTheCoarseningFunctionFromAnother) {
   Sequence sequence = clean_sequences()[0];
-  for (double& f : sequence.levels[1].spacing) f *= 0.5;
-  const auto report = audit_of(sequence);
-  const auto& theorems = report.theorems;
-  const auto found = std::find_if(theorems.begin(), theorems.end(),
-                                  [](const auto& theorem) { return theorem.name == "7.1.4"; });
-  ASSERT_NE(found, theorems.end());
-  EXPECT_FALSE(found->holds);
+  const auto of_level_1 = [&](const char* name) {
+    for (const auto& measure : audit_of(sequence).measures)
+      if (measure.name == name && measure.level == Index{1}) return measure.value;
+    return std::nan("");
+  };
+  EXPECT_NEAR(of_level_1("spacing_to_coarsened_min"), 1, 1e-12);
+  EXPECT_NEAR(of_level_1("spacing_to_coarsened_max"), 1, 1e-12);
+  sequence.levels[1].spacing[3] *= 0.5;
+  EXPECT_NEAR(of_level_1("spacing_to_coarsened_min"), 0.5, 1e-12);
+  EXPECT_NEAR(of_level_1("spacing_to_coarsened_max"), 1, 1e-12);
 }
 
 TEST(HierarchyMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {

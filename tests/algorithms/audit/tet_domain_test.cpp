@@ -153,5 +153,53 @@ TEST(PolyhedralDomain, AllowsForRoundingOfSlopingFacets) {
   EXPECT_LE(report.measure("facet_allowance")->value, 64);
 }
 
+// ---- Piecewise linear systems
+
+// The six squares of a box, each cut in two triangles, or whole.
+Pls box_system(double n, bool triangulated) {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {n, n, n});
+  Pls system;
+  system.points = domain.points;
+  for (const auto& facet : domain.facets) {
+    const auto& p = facet[0];
+    if (!triangulated) {
+      system.facets.push_back({{p}, {}, 1});
+      continue;
+    }
+    system.facets.push_back({{{p[0], p[1], p[2]}}, {}, 1});
+    system.facets.push_back({{{p[2], p[3], p[0]}}, {}, 1});
+  }
+  return system;
+}
+
+TEST(PolyhedralDomain, UnitesFlatNeighboursOfOneMarker) {
+  const Pls system = box_system(2, true);
+  const auto domain = audit::domain_of(system);
+  ASSERT_EQ(domain.facets.size(), 6u);
+  for (const auto& facet : domain.facets) {
+    ASSERT_EQ(facet.size(), 1u);
+    EXPECT_EQ(facet[0].size(), 4u);
+  }
+  EXPECT_TRUE(audit_against(test::cubes(2, 2, 2, everywhere), domain).pass());
+  Pls marked = system;
+  marked.facets[0].marker = 7;
+  EXPECT_EQ(audit::domain_of(marked).facets.size(), 7u);
+}
+
+// The lower square has an inner square of cells as a polygon: an outline unless it is a hole.
+TEST(PolyhedralDomain, TakesAnInnerPolygonForAHoleOnlyWithAHolePoint) {
+  Pls system = box_system(3, false);
+  for (const Point3 p : {Point3{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}})
+    system.points.push_back(p);
+  system.facets[0].polygons.push_back({8, 9, 10, 11});
+  const TetMesh solid = test::cubes(3, 3, 3, everywhere);
+  EXPECT_TRUE(audit_against(solid, audit::domain_of(system)).pass());
+  system.facets[0].holes = {{1.5, 1.25, 0}};
+  const auto report = audit_against(solid, audit::domain_of(system));
+  EXPECT_TRUE(report.check("domain_facets_are_faces")->pass());
+  EXPECT_EQ(report.check("boundary_on_domain")->violations, 2u);
+}
+
 }  // namespace
 }  // namespace wellspaced

@@ -103,6 +103,23 @@ TEST(AuditCommand, JudgesConformityToADomain) {
   EXPECT_TRUE(contains(run.out, "FAIL: 1, domain segments 0\n")) << run.out;
 }
 
+TEST(AuditCommand, JudgesConformityToADomainInSpace) {
+  const TemporaryDirectory directory;
+  const std::string nodes = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
+  const std::string mesh = directory.write("tet.node", nodes);
+  directory.write("tet.ele", "1 4 0\n1 1 2 3 4\n");
+  const std::string facets = "4 0\n1\n3 1 2 3\n1\n3 1 2 4\n1\n3 1 3 4\n1\n3 2 3 4\n0\n0\n";
+  const std::string good = directory.write("good.poly", nodes + facets);
+  EXPECT_EQ(run_program({"audit", mesh, "--domain", good}).exit_code, 0);
+  const std::string other =
+      directory.write("other.poly", nodes + "3 0\n1\n3 1 2 3\n1\n3 1 2 4\n1\n3 1 3 4\n0\n0\n");
+  const auto open = run_program({"audit", mesh, "--domain", other});
+  EXPECT_EQ(open.exit_code, 1);
+  EXPECT_TRUE(contains(open.out, "boundary_on_domain")) << open.out;
+  const Square square;
+  EXPECT_EQ(run_program({"audit", square.name, "--domain", good}).exit_code, 2);
+}
+
 TEST(AuditCommand, AllowsForRoundedNodesAsMuchAsAsked) {
   const TemporaryDirectory directory;
   const std::string mesh = directory.write("mesh.node",
