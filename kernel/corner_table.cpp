@@ -5,14 +5,15 @@
 namespace wellspaced {
 namespace {
 
-using Corner = CornerTable::Corner;
+using TableCorner = CornerTable::Corner;
 
-bool has_next(std::span<const Corner> corners, Index node) {
-  return std::any_of(corners.begin(), corners.end(), [=](Corner c) { return c.next == node; });
+bool has_next(std::span<const TableCorner> corners, Index node) {
+  return std::any_of(corners.begin(), corners.end(), [=](TableCorner c) { return c.next == node; });
 }
 
-bool has_previous(std::span<const Corner> corners, Index node) {
-  return std::any_of(corners.begin(), corners.end(), [=](Corner c) { return c.previous == node; });
+bool has_previous(std::span<const TableCorner> corners, Index node) {
+  return std::any_of(corners.begin(), corners.end(),
+                     [=](TableCorner c) { return c.previous == node; });
 }
 
 }  // namespace
@@ -20,11 +21,11 @@ bool has_previous(std::span<const Corner> corners, Index node) {
 bool CornerTable::has_edge(Index v, Index to) const { return has_next(at(v), to); }
 
 Index CornerTable::next_boundary_node(Index u, Index v) const {
-  const std::span<const Corner> fan = at(v);
+  const std::span<const TableCorner> fan = at(v);
   Index turned = u;
   for (std::size_t step = 0; step < fan.size(); ++step) {
     const auto corner =
-        std::find_if(fan.begin(), fan.end(), [=](Corner c) { return c.previous == turned; });
+        std::find_if(fan.begin(), fan.end(), [=](TableCorner c) { return c.previous == turned; });
     if (corner == fan.end()) return kNoIndex;
     turned = corner->next;
     if (!has_previous(fan, turned)) return turned;
@@ -52,8 +53,8 @@ CornerTable corner_table(std::span<const std::array<Index, 3>> triangles, Index 
 std::vector<std::array<Index, 2>> boundary_edges(const CornerTable& table) {
   std::vector<std::array<Index, 2>> edges;
   for (Index v = 0; v < table.nodes(); ++v) {
-    const std::span<const Corner> corners = table.at(v);
-    for (const Corner corner : corners)
+    const std::span<const TableCorner> corners = table.at(v);
+    for (const TableCorner corner : corners)
       if (!has_previous(corners, corner.next)) edges.push_back({v, corner.next});
   }
   return edges;

@@ -8,11 +8,11 @@
 namespace wellspaced {
 namespace {
 
-using Corner = CornerTable::Corner;
+using TableCorner = CornerTable::Corner;
 
-bool adjacent(std::span<const Corner> corners, Index node) {
+bool adjacent(std::span<const TableCorner> corners, Index node) {
   return std::any_of(corners.begin(), corners.end(),
-                     [=](Corner c) { return c.next == node || c.previous == node; });
+                     [=](TableCorner c) { return c.next == node || c.previous == node; });
 }
 
 // The segments that are no edge of a triangle, in both directions, sorted, each once.
@@ -30,11 +30,11 @@ std::vector<std::array<Index, 2>> loose_arcs(const CornerTable& table,
 
 // Appends the neighbours of v in its triangles: all that come next in some corner, then those that
 // only come previous, which are across boundary edges into v.
-void append_neighbors(std::span<const Corner> corners, std::vector<Index>& neighbors) {
+void append_neighbors(std::span<const TableCorner> corners, std::vector<Index>& neighbors) {
   const auto start = static_cast<std::ptrdiff_t>(neighbors.size());
-  for (const Corner c : corners) neighbors.push_back(c.next);
+  for (const TableCorner c : corners) neighbors.push_back(c.next);
   const auto next_end = start + static_cast<std::ptrdiff_t>(corners.size());
-  for (const Corner c : corners) {
+  for (const TableCorner c : corners) {
     const auto begin = neighbors.begin() + start, end = neighbors.begin() + next_end;
     if (std::find(begin, end, c.previous) == end) neighbors.push_back(c.previous);
   }
