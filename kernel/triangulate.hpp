@@ -36,11 +36,11 @@ struct TriangulateOptions {
 ///
 /// delaunay: the triangulation of the convex hull, constrained by the segments; its points are the
 /// input's, in order, then the added crossings, ascending by their exact x, then y (one that was
-/// rounded onto another point is a duplicate of it). in_domain: one entry a triangle of its topology, 0
-/// for ghosts and for triangles outside the domain.
-/// segments: the constrained edges, each once, a < b, ascending. The marker is that of the input
-/// segment, the largest where several overlap. Below dimension 2 there is no triangle, but segments
-/// are split at the points on them all the same.
+/// rounded onto another point is a duplicate of it). in_domain: one entry a triangle of its
+/// topology, 0 for ghosts and for triangles outside the domain. segments: the constrained edges,
+/// each once, a < b, ascending. The marker is that of the input segment, the largest where several
+/// overlap. Below dimension 2 there is no triangle, but segments are split at the points on them
+/// all the same.
 struct PlanarTriangulation {
   Delaunay2 delaunay;
   std::vector<std::uint8_t> in_domain;

@@ -82,10 +82,10 @@ typedef enum wellspaced_holes {
 /* The constrained Delaunay triangulation in the plane. segments: 2 indices each, segment_markers:
  * one each, or NULL; hole_points: 2 coordinates each. Input points keep their numbers, points at
  * crossings of segments follow. */
-WELLSPACED_API wellspaced_status wellspaced_triangulate2(
-    wellspaced_context* context, const double* points, size_t point_count,
-    const uint32_t* segments, const int* segment_markers, size_t segment_count,
-    const double* hole_points, size_t hole_count, wellspaced_holes holes);
+WELLSPACED_API wellspaced_status
+wellspaced_triangulate2(wellspaced_context* context, const double* points, size_t point_count,
+                        const uint32_t* segments, const int* segment_markers, size_t segment_count,
+                        const double* hole_points, size_t hole_count, wellspaced_holes holes);
 
 /* The Delaunay triangulation in space. */
 WELLSPACED_API wellspaced_status wellspaced_triangulate3(wellspaced_context* context,
@@ -93,13 +93,10 @@ WELLSPACED_API wellspaced_status wellspaced_triangulate3(wellspaced_context* con
 
 /* Takes a triangle mesh, checks and completes it: boundary edges that are not listed join the
  * segments. */
-WELLSPACED_API wellspaced_status wellspaced_set_mesh(wellspaced_context* context,
-                                                     const double* points, size_t point_count,
-                                                     const uint32_t* triangles,
-                                                     size_t triangle_count,
-                                                     const uint32_t* segments,
-                                                     const int* segment_markers,
-                                                     size_t segment_count);
+WELLSPACED_API wellspaced_status
+wellspaced_set_mesh(wellspaced_context* context, const double* points, size_t point_count,
+                    const uint32_t* triangles, size_t triangle_count, const uint32_t* segments,
+                    const int* segment_markers, size_t segment_count);
 
 /* Coarsens the triangle mesh by the thesis' function-based method: level 0 is the mesh. The context
  * then holds the levels, the last one selected. beta > 1, factor > 1; 0 stands for the default. */
@@ -107,8 +104,7 @@ WELLSPACED_API wellspaced_status wellspaced_coarsen(wellspaced_context* context,
                                                     double factor, uint64_t seed);
 WELLSPACED_API size_t wellspaced_level_count(const wellspaced_context* context);
 /* Selects the level that the getters speak of, 0 the finest. */
-WELLSPACED_API wellspaced_status wellspaced_select_level(wellspaced_context* context,
-                                                         size_t level);
+WELLSPACED_API wellspaced_status wellspaced_select_level(wellspaced_context* context, size_t level);
 
 /* Reads or writes a file in any format that the program knows; by extension where `format` is NULL.
  * A file appears complete or not at all. */
@@ -130,8 +126,8 @@ WELLSPACED_API size_t wellspaced_get_cells(const wellspaced_context* context, ui
 /* Ends: 2 for each segment. */
 WELLSPACED_API size_t wellspaced_get_segments(const wellspaced_context* context, uint32_t* buffer,
                                               size_t capacity);
-WELLSPACED_API size_t wellspaced_get_segment_markers(const wellspaced_context* context,
-                                                     int* buffer, size_t capacity);
+WELLSPACED_API size_t wellspaced_get_segment_markers(const wellspaced_context* context, int* buffer,
+                                                     size_t capacity);
 /* Of each point of the selected level, its number in level 0; nothing without a hierarchy. */
 WELLSPACED_API size_t wellspaced_get_origin(const wellspaced_context* context, uint32_t* buffer,
                                             size_t capacity);

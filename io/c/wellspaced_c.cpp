@@ -52,12 +52,6 @@ wellspaced_status status_of(ErrorCode code) {
   return WELLSPACED_INTERNAL;
 }
 
-wellspaced_status out_of_memory(wellspaced_context& context) {
-  context.message.clear();
-  context.message.append("no memory");  // short enough to need none
-  return WELLSPACED_LIMIT;
-}
-
 // Runs `operation`, which returns a Status, and turns what comes of it into a status and a message.
 // Where exceptions are compiled in, the one that the standard library throws without memory ends
 // here; otherwise the program ends by the standard library's own rule.
@@ -73,7 +67,9 @@ wellspaced_status run_on(wellspaced_context* context, Operation operation) {
     return status_of(status.error().code);
 #if defined(__cpp_exceptions)
   } catch (const std::bad_alloc&) {
-    return out_of_memory(*context);
+    context->message.clear();
+    context->message.append("no memory");  // short enough to need none
+    return WELLSPACED_LIMIT;
   }
 #endif
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -48,36 +49,45 @@ Triangulation3::Cavity cavity_of(const Triangulation3& topology, std::vector<Ind
   return cavity;
 }
 
+// Fills a cavity as an insertion does: new tets get the numbers of those that vanish, then new
+// ones; numbers that are left over go to the last tets.
+void fill(StarFiller3& filler, Triangulation3& topology, Triangulation3::Cavity& cavity,
+          Index apex) {
+  const std::size_t new_tets = cavity.rim.size();
+  while (cavity.tets.size() < new_tets) cavity.tets.push_back(topology.append(1));
+  filler.fill(topology, cavity, apex);
+  topology.remove(std::span(cavity.tets).subspan(new_tets));
+}
+
 TEST(StarFiller3, SplitsATetIntoFour) {
   Triangulation3 topology;
   topology.reset(0, 1, 2, 3);
   StarFiller3 filler;
   filler.reserve_vertices(5);
   auto cavity = cavity_of(topology, {0});
-  filler.fill(topology, cavity, 4);
+  fill(filler, topology, cavity, 4);
   EXPECT_EQ(topology.size(), 8u);
   EXPECT_TRUE(topology.is_valid());
   EXPECT_EQ(cavity.tets, (std::vector<Index>{0, 5, 6, 7}));
 }
 
-TEST(StarFiller3, GivesTheNumbersOfTetsThatVanishToTheLastOnes) {
+TEST(StarFiller3, LeavesTetsBehindThatVanish) {
   Triangulation3 topology;
   topology.reset(0, 1, 2, 3);
   StarFiller3 filler;
   filler.reserve_vertices(7);
   auto cavity = cavity_of(topology, {0});
-  filler.fill(topology, cavity, 4);
+  fill(filler, topology, cavity, 4);
   cavity = cavity_of(topology, {0});
-  filler.fill(topology, cavity, 5);
+  fill(filler, topology, cavity, 5);
   ASSERT_EQ(topology.size(), 11u);  // 7 within the first tet, 4 ghosts, some numbered in between
   std::vector<Index> real;
   for (Index t = 0; t < topology.size(); ++t)
     if (!topology.is_ghost(t)) real.push_back(t);
   cavity = cavity_of(topology, real);
-  filler.fill(topology, cavity, 6);
+  fill(filler, topology, cavity, 6);
   EXPECT_EQ(topology.size(), 8u);
   EXPECT_TRUE(topology.is_valid());
-  for (const Index t : cavity.tets) EXPECT_LT(t, topology.size());
 }
 
 TEST(Triangulation3, AGhostAtAnotherCornerIsNotValid) {

@@ -121,7 +121,7 @@ TEST(Malformed, PolyFiles) {
       {"cut within a segment", "a.poly", points + "1 0\n0 0", kUnreadable},
       {"cut within a hole", "a.poly", points + "1 0\n0 0 1\n1\n0 1", kUnreadable},
       {"a hole at NaN", "a.poly", points + "1 0\n0 0 1\n1\n0 nan 1\n", kInvalid},
-      {"points in space", "a.poly", "1 3 0 0\n0 0 0 0\n0 0\n0\n", kUnreadable},
+      {"cut within a facet", "a.poly", "1 3 0 0\n0 0 0 0\n1 0\n1\n", kUnreadable},
       {"a marker beyond an int", "a.poly", points + "1 1\n0 0 1 99999999999\n0\n", kUnreadable},
       {"4096 random bytes", "a.poly", garbage(4096, 3), kUnreadable},
       {"without holes", "a.poly", points + "1 0\n0 0 1\n", kRead},
