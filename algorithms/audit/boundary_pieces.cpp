@@ -8,6 +8,7 @@
 #include "wellspaced/algorithms/audit/contact.hpp"
 #include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -189,8 +190,7 @@ template <std::size_t D>
 void BoundaryPieces<D>::list_pieces_of_nodes() {
   for (Index s = 0; s < simplices_.size(); ++s)
     for (const Index v : nodes(s)) node_pieces_.push_back({v, piece_[s]});
-  std::sort(node_pieces_.begin(), node_pieces_.end());
-  node_pieces_.erase(std::unique(node_pieces_.begin(), node_pieces_.end()), node_pieces_.end());
+  sort_unique(node_pieces_);
 }
 
 template <std::size_t D>

@@ -5,6 +5,7 @@
 
 #include "wellspaced/algorithms/audit/circumcentre.hpp"
 #include "wellspaced/algorithms/audit/shape_tools.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -180,8 +181,7 @@ class PointsOnPieces {
     std::vector<std::array<Index, 2>> order;
     for (Index s = 0; s < boundary.size(); ++s)
       for (const Index v : boundary.nodes(s)) order.push_back({boundary.piece(s), v});
-    std::sort(order.begin(), order.end());
-    order.erase(std::unique(order.begin(), order.end()), order.end());
+    sort_unique(order);
     for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
       std::vector<Vec<3>> on_piece;
       for (; end < order.size() && order[end][0] == order[i][0]; ++end)

@@ -11,6 +11,7 @@
 #include "wellspaced/algorithms/audit/tet_shape.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -119,8 +120,7 @@ NodeFigures node_figures(const TetMesh& mesh) {
     for (const Index v : tet)
       for (const Index w : tet)
         if (v != w) arcs.push_back({v, w});
-  std::sort(arcs.begin(), arcs.end());
-  arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+  sort_unique(arcs);
   NodeFigures figures;
   std::vector<double> nearest(mesh.points.size(), kInfinity);
   for (std::size_t i = 0, end = 0; i < arcs.size(); i = end) {

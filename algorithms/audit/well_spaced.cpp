@@ -21,6 +21,7 @@
 #include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/delaunay3.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -119,8 +120,7 @@ Edges segments_of(const TetMesh& mesh, const Places<3>& places, const BoundaryPi
       const Index a = boundary.nodes(s)[i], b = boundary.nodes(s)[(i + 1) % 3];
       sides.push_back({std::min(a, b), std::max(a, b), boundary.piece(s)});
     }
-  std::sort(sides.begin(), sides.end());
-  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  sort_unique(sides);
   Edges edges;
   for (std::size_t i = 1; i < sides.size(); ++i)
     if (sides[i][0] == sides[i - 1][0] && sides[i][1] == sides[i - 1][1])
@@ -129,8 +129,7 @@ Edges segments_of(const TetMesh& mesh, const Places<3>& places, const BoundaryPi
     const Index a = places.place_of[s.a], b = places.place_of[s.b];
     edges.push_back({std::min(a, b), std::max(a, b)});
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 

@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/formats/point_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced {
 namespace {
@@ -125,8 +126,7 @@ std::vector<std::pair<Index, Index>> edges_of(const Geometry& lifted) {
       for (std::size_t i = 0; i < polygon.size(); ++i)
         add(polygon[i], polygon[(i + 1) % polygon.size()]);
   std::erase_if(edges, [](const auto& edge) { return edge.first == edge.second; });
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 
