@@ -175,7 +175,7 @@ void print_threads(const Points& points, int runs) {
 
 int main(int argc, char** argv) {
   using namespace wellspaced::bench;
-  const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 3;
+  const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
   const auto is_wanted = [&](const Row& row) {
     return argc <= 2 || row.name.find(argv[2]) != std::string::npos;
   };

@@ -161,16 +161,25 @@ struct LevelClock {
   }
 };
 
-// The microseconds a node of all levels together; printed with the least and greatest of a level
-// of at least 1000 nodes.
+// So many runs that even the small sequences are measured over a second.
+std::size_t runs_for(std::size_t nodes) { return std::clamp<std::size_t>(3000000 / nodes, 1, 11); }
+
+// The microseconds a node of all levels together, by the median of the runs; printed with the least
+// and greatest of a level of at least 1000 nodes in the last.
 double print_sequence(const char* name, TriangleMesh mesh) {
   const std::size_t input = mesh.points.size();
   CoarseningOptions options = theorem_options(CoarseningMethod::kQuadtree);
+  Hierarchy hierarchy;
+  std::vector<double> times;
+  const auto run = [&](TriangleMesh given) {
+    times.push_back(timed([&] { hierarchy = *coarsen(std::move(given), options); }));
+  };
+  while (times.size() + 1 < runs_for(input)) run(mesh);
   LevelClock clock;
   options.progress = clock.listener();
-  Hierarchy hierarchy;
-  const double seconds = timed([&] { hierarchy = *coarsen(std::move(mesh), options); });
+  run(std::move(mesh));
   const double end = cpu_seconds();
+  const double seconds = median(times);
   double nodes = 0, least = HUGE_VAL, greatest = 0;
   for (const Level& level : hierarchy.levels) {
     const auto n = static_cast<double>(level.mesh.points.size());
