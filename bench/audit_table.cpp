@@ -14,9 +14,9 @@
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
 #include "wellspaced/algorithms/audit/well_spaced.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
-#include "wellspaced/kernel/delaunay3.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/random.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
 
 namespace wellspaced::bench {
 namespace {

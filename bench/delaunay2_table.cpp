@@ -18,11 +18,11 @@
 #include "wellspaced/algorithms/mesh/delaunay_cells.hpp"
 #include "wellspaced/io/formats/point_files.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/random.hpp"
 #include "wellspaced/kernel/sha256.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
 
 #ifdef WELLSPACED_BENCH_CGAL
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

@@ -11,8 +11,8 @@
 
 #include "bench/measure.hpp"
 #include "wellspaced/algorithms/generate/points3.hpp"
-#include "wellspaced/kernel/delaunay3.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
 
 #ifdef WELLSPACED_BENCH_CGAL
 #include <CGAL/Delaunay_triangulation_3.h>

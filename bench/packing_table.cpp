@@ -17,7 +17,7 @@
 #include "wellspaced/algorithms/packing/pack_domain.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/kernel/angle.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 
 #ifdef WELLSPACED_BENCH_CGAL
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tests/support/predicate_cases.hpp"
-#include "wellspaced/kernel/crossing.hpp"
+#include "wellspaced/kernel/plane/crossing.hpp"
 
 namespace wellspaced::testing {
 namespace {

@@ -14,7 +14,7 @@
 #include "wellspaced/algorithms/coarsening/statistics.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
 #include "wellspaced/kernel/elementary.hpp"
-#include "wellspaced/kernel/quadtree.hpp"
+#include "wellspaced/kernel/plane/quadtree.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 #ifdef WELLSPACED_BENCH_P4EST

@@ -15,8 +15,8 @@
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 #include "wellspaced/algorithms/spacing/graph_spacing.hpp"
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/graph.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/random.hpp"
 

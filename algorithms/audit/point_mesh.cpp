@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "wellspaced/algorithms/audit/places.hpp"
-#include "wellspaced/kernel/delaunay3.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
 
 namespace wellspaced::audit {
 namespace {

@@ -11,7 +11,7 @@
 #include "wellspaced/algorithms/audit/worst_list.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
-#include "wellspaced/kernel/vector3.hpp"
+#include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced::audit {
 namespace {

@@ -18,10 +18,10 @@
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
 #include "wellspaced/algorithms/audit/tet_topology.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
-#include "wellspaced/kernel/delaunay3.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
 
 namespace wellspaced::audit {
 namespace {

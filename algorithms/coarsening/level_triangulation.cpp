@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "wellspaced/kernel/delaunay2.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 
 namespace wellspaced {
 namespace {

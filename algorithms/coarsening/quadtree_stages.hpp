@@ -10,9 +10,9 @@
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/algorithms/coarsening/hierarchy.hpp"
 #include "wellspaced/kernel/mesh.hpp"
-#include "wellspaced/kernel/morton.hpp"
-#include "wellspaced/kernel/quadtree.hpp"
-#include "wellspaced/kernel/quadtree_topology.hpp"
+#include "wellspaced/kernel/plane/morton.hpp"
+#include "wellspaced/kernel/plane/quadtree.hpp"
+#include "wellspaced/kernel/plane/quadtree_topology.hpp"
 
 namespace wellspaced {
 

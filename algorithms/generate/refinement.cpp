@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "wellspaced/kernel/angle.hpp"
-#include "wellspaced/kernel/circumcircle.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
+#include "wellspaced/kernel/plane/circumcircle.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {

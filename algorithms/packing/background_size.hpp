@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {

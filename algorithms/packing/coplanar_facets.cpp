@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/sort_unique.hpp"
-#include "wellspaced/kernel/vector3.hpp"
+#include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 
 namespace wellspaced {
 

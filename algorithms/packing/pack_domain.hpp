@@ -8,9 +8,9 @@
 #include "wellspaced/algorithms/packing/corner_shells.hpp"
 #include "wellspaced/algorithms/packing/interior_packing.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
 
 namespace wellspaced {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wellspaced/kernel/crossing.hpp"
+#include "wellspaced/kernel/plane/crossing.hpp"
 
 namespace wellspaced {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "wellspaced/algorithms/packing/interior_packing.hpp"
-#include "wellspaced/kernel/circumcircle.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
+#include "wellspaced/kernel/plane/circumcircle.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 
 namespace wellspaced {
 

@@ -6,8 +6,8 @@
 
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/result.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
 
 namespace wellspaced {
 

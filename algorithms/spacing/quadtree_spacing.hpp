@@ -5,8 +5,8 @@
 
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/mesh.hpp"
-#include "wellspaced/kernel/quadtree.hpp"
-#include "wellspaced/kernel/quadtree_topology.hpp"
+#include "wellspaced/kernel/plane/quadtree.hpp"
+#include "wellspaced/kernel/plane/quadtree_topology.hpp"
 
 namespace wellspaced {
 

@@ -10,10 +10,10 @@
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/io/c/wellspaced.h"
 #include "wellspaced/io/formats/formats.hpp"
-#include "wellspaced/kernel/delaunay3.hpp"
-#include "wellspaced/kernel/delaunay3_queries.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
+#include "wellspaced/kernel/space/delaunay3_queries.hpp"
 
 #ifndef WELLSPACED_VERSION
 #define WELLSPACED_VERSION "unknown"

@@ -8,9 +8,9 @@
 #include "wellspaced/io/cli/stopwatch.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
-#include "wellspaced/kernel/delaunay3.hpp"
-#include "wellspaced/kernel/delaunay3_queries.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
+#include "wellspaced/kernel/space/delaunay3_queries.hpp"
 
 namespace wellspaced::cli {
 namespace {

@@ -1,6 +1,6 @@
 // Any segments are split into a valid triangulation, or refused with ids; with every hole rule.
 #include "tests/fuzz/bytes.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 
 using namespace wellspaced;
 using fuzz::require;

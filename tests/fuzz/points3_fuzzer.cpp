@@ -1,7 +1,7 @@
 // Any finite points of space have a valid Delaunay triangulation, and take in any further ones.
 #include "tests/fuzz/bytes.hpp"
-#include "wellspaced/kernel/delaunay3.hpp"
-#include "wellspaced/kernel/delaunay3_queries.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
+#include "wellspaced/kernel/space/delaunay3_queries.hpp"
 
 using namespace wellspaced;
 using fuzz::require;

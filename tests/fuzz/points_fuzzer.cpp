@@ -1,6 +1,6 @@
 // Any finite points have a valid Delaunay triangulation.
 #include "tests/fuzz/bytes.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 
 using namespace wellspaced;
 using fuzz::require;

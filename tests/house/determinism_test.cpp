@@ -10,9 +10,9 @@
 #include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
 #include "wellspaced/algorithms/generate/points3.hpp"
-#include "wellspaced/kernel/delaunay3_queries.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/sha256.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
+#include "wellspaced/kernel/space/delaunay3_queries.hpp"
 
 namespace wellspaced {
 namespace {

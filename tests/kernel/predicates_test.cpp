@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/data.hpp"
 #include "tests/support/predicate_cases.hpp"
 
 namespace wellspaced::testing {
@@ -168,10 +169,10 @@ TYPED_TEST(Predicate, LeavesToBigIntegersWhatSpansMoreBitsThanAnyFixedWidth) {
 
 // Lines that broke other libraries: "sign tag coordinates" with C hexadecimal floats.
 TYPED_TEST(Predicate, IsExactOnLinesThatBrokeOtherLibraries) {
-  const std::string path = std::string(WELLSPACED_DATA_DIR) + "/issues/predicates/" +
-                           TypeParam::kName + "_public_nanevski.txt";
-  std::ifstream file(path);
-  if (!file) GTEST_SKIP() << "no " << path;
+  const std::string name =
+      std::string("issues/predicates/") + TypeParam::kName + "_public_nanevski.txt";
+  WELLSPACED_REQUIRE_DATA(name);
+  std::ifstream file(test::data_path(name));
   int lines = 0;
   for (std::string line; std::getline(file, line); ++lines) {
     std::istringstream fields(line);

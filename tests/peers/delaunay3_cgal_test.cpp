@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/support/points3.hpp"
-#include "wellspaced/kernel/delaunay3_queries.hpp"
+#include "wellspaced/kernel/space/delaunay3_queries.hpp"
 
 namespace wellspaced {
 namespace {

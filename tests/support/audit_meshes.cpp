@@ -6,8 +6,8 @@
 
 #include "tests/support/data_files.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced::test {

@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "wellspaced/kernel/delaunay3.hpp"
 #include "wellspaced/kernel/random.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
 
 namespace wellspaced::test {
 namespace {

@@ -7,13 +7,15 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/paths.hpp"
+
 namespace wellspaced::test {
 
 /// The path of a file of $WELLSPACED_DATA (default: beside the checkout), whether or not it is
 /// there.
 inline std::string data_path(const std::string& name) {
   const char* const folder = std::getenv("WELLSPACED_DATA");
-  return std::string(folder != nullptr ? folder : WELLSPACED_DATA_DIR) + "/" + name;
+  return std::string(folder != nullptr ? folder : kDataDir) + "/" + name;
 }
 
 inline bool has_data(const std::string& name) { return std::filesystem::exists(data_path(name)); }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tests/support/slow_integer.hpp"
-#include "wellspaced/kernel/delaunay3.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
 
 namespace wellspaced::test {
 

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/paths.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace wellspaced::test {
@@ -21,11 +22,11 @@ struct ProgramRun {
   std::string out, err;
 };
 
-/// Starts WELLSPACED_PROGRAM with `words`, its standard streams in files of `directory`, and
+/// Starts the program with `words`, its standard streams in files of `directory`, and
 /// returns the number of the process.
 inline pid_t start_program(const TemporaryDirectory& directory,
                            const std::vector<std::string>& words, const std::string& input) {
-  std::vector<const char*> arguments = {WELLSPACED_PROGRAM};
+  std::vector<const char*> arguments = {kProgram};
   for (const std::string& word : words) arguments.push_back(word.c_str());
   arguments.push_back(nullptr);
   const std::string out = directory / "out", err = directory / "err";
@@ -34,7 +35,7 @@ inline pid_t start_program(const TemporaryDirectory& directory,
   dup2(open(input.c_str(), O_RDONLY), STDIN_FILENO);
   dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
   dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-  execv(WELLSPACED_PROGRAM, const_cast<char* const*>(arguments.data()));
+  execv(kProgram, const_cast<char* const*>(arguments.data()));
   _exit(127);
 }
 

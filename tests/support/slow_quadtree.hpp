@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "wellspaced/kernel/quadtree.hpp"
+#include "wellspaced/kernel/plane/quadtree.hpp"
 
 namespace wellspaced::test {
 

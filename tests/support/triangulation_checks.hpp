@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "wellspaced/kernel/delaunay2.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced::test {

@@ -7,7 +7,7 @@
 #include "tests/support/audit_meshes.hpp"
 #include "wellspaced/algorithms/audit/triangle_overlap.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
-#include "wellspaced/kernel/delaunay2.hpp"
+#include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {

@@ -15,8 +15,8 @@
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/algorithms/spacing/nearest_neighbor.hpp"
 #include "wellspaced/algorithms/spacing/threshold_spacing.hpp"
+#include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/random.hpp"
-#include "wellspaced/kernel/triangulate.hpp"
 
 namespace wellspaced {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "wellspaced/kernel/delaunay3.hpp"
-#include "wellspaced/kernel/delaunay3_queries.hpp"
+#include "wellspaced/kernel/space/delaunay3.hpp"
+#include "wellspaced/kernel/space/delaunay3_queries.hpp"
 
 namespace wellspaced {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "tests/support/data.hpp"
 #include "wellspaced/kernel/random.hpp"
-#include "wellspaced/kernel/vector3.hpp"
+#include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
 namespace {

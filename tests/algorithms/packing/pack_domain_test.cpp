@@ -13,9 +13,9 @@
 #include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/kernel/angle.hpp"
-#include "wellspaced/kernel/circumcircle.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/plane/circumcircle.hpp"
 
 namespace wellspaced {
 namespace {
