@@ -101,12 +101,22 @@ std::vector<Index> parents_of(const std::vector<Index>& origins, const Judged& f
   return parents;
 }
 
-void audit_nesting(Judged& coarse) {
-  Check& check = coarse.report.add_check("node_nested", Item::kNode, true);
-  for (Index v = 0; v < coarse.parents.size(); ++v) {
+void mark_not_promised(Check& check) { check.required = check.promised = false; }
+
+// holders: for each node of the level the one that it is in another mesh, kNoIndex if in none.
+void audit_nodes_within(Judged& coarse, const std::vector<Index>& holders, std::string_view name) {
+  Check& check = coarse.report.add_check(name, Item::kNode, true);
+  for (Index v = 0; v < holders.size(); ++v) {
     const bool unique = coarse.origins[v] == kNoIndex || coarse.numbers[coarse.origins[v]] == v;
-    if (coarse.parents[v] == kNoIndex || !unique) check.violate({v});
+    if (holders[v] == kNoIndex || !unique) check.violate({v});
   }
+}
+
+void audit_nesting(Judged& coarse, Nesting nesting) {
+  audit_nodes_within(coarse, coarse.parents, "node_nested");
+  if (nesting == Nesting::kPromised) return;
+  mark_not_promised(coarse.report.checks.back());
+  audit_nodes_within(coarse, coarse.origins, "nodes_of_finest");
 }
 
 void audit_size(Judged& coarse, const Judged& finer) {
@@ -307,7 +317,7 @@ void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
   coarse.parents = parents_of(coarse.origins, finer);
   require(coarse.report, "constrained_delaunay");
   if (finest.passes("boundary_has_segments")) require(coarse.report, "boundary_has_segments");
-  audit_nesting(coarse);
+  audit_nesting(coarse, options.nesting);
   audit_size(coarse, finer);
   audit_fixed(coarse, options.fixed);
   if (!is_readable(coarse.report) || !is_readable(finer.report)) return;
@@ -323,14 +333,14 @@ void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
     measure_coarsening(coarse, finer, factor);
 }
 
-// A check without a level that counts the levels' violations of one name, or of all required ones.
+// A check without a level that counts the levels' violations of one name, level 0 apart, or of all
+// required ones.
 void sum_up(Report& report, std::string_view name, std::span<const Judged> levels,
             std::string_view of) {
   Check& check = report.add_check(name, Item::kNone, true);
-  for (std::size_t k = 0; k < levels.size(); ++k)
+  for (std::size_t k = of.empty() ? 0 : 1; k < levels.size(); ++k)
     for (const Check& part : levels[k].report.checks)
-      if (of.empty() ? part.required : part.name == of && part.required)
-        check.violations += part.violations;
+      if (of.empty() ? part.required : part.name == of) check.violations += part.violations;
 }
 
 void measure_worst(Report& report, std::string_view name, std::span<const Judged> levels) {
@@ -371,6 +381,7 @@ Report audit_hierarchy(std::span<const HierarchyLevel> levels,
   sum_up(report, "levels_valid", judged, "");
   sum_up(report, "levels_constrained_delaunay", judged, "constrained_delaunay");
   sum_up(report, "node_nested", judged, "node_nested");
+  if (options.nesting == Nesting::kNotPromised) mark_not_promised(report.checks.back());
   report.add_measure("levels", static_cast<double>(levels.size()));
   measure_worst(report, "similarity", judged);
   measure_worst(report, "intersection_max", judged);

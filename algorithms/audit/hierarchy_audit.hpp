@@ -26,6 +26,10 @@ enum class SelectedFrom { kLevelBefore, kFinest };
 /// Whether audit_spacing() judges the levels from 1 on that have a spacing function, too.
 enum class WellSpacing { kLeftOut, kMeasured };
 
+/// Whether a hierarchy claims that every level is made of nodes of the one before. Levels that are
+/// each selected from the finest mesh by itself are made of its nodes alone.
+enum class Nesting { kPromised, kNotPromised };
+
 /// beta: the spacing constant; 0: not known, spacing is then not judged.
 /// factor: C of the coarsening functions in the graph metric, C beta for the first level; 0: not
 ///   known, Lemma 7.1.4 is then not compared.
@@ -35,6 +39,7 @@ struct HierarchyAuditOptions {
   double beta = 0;
   double factor = 0;
   SelectedFrom selected_from = SelectedFrom::kLevelBefore;
+  Nesting nesting = Nesting::kPromised;
   std::span<const Index> fixed = {};
   const Pslg* domain = nullptr;
   WellSpacing well_spacing = WellSpacing::kLeftOut;
@@ -43,12 +48,14 @@ struct HierarchyAuditOptions {
 /// Judges a hierarchy, finest level first. Its checks without a level sum up those of the levels:
 ///   levels_valid           (required) every required check of every level passes
 ///   levels_constrained_delaunay  (required) as constrained_delaunay, over levels 1 and up
-///   node_nested            (required) as below, over all levels
+///   node_nested            (required where promised) as below, over all levels
 /// Then, for each level, the checks of audit_mesh. Level 0 is judged as an input; from level 1 on
 /// constrained_delaunay counts too, as does boundary_has_segments if level 0 passes it. And from
 /// level 1 on, against the level before:
-///   node_nested            (required) every node is, exactly at its place, a node of the level
-///                          before and of the finest, and no two are the same one
+///   node_nested            (required where promised) every node is, exactly at its place, a node
+///                          of the level before and of the finest, and no two are the same one
+///   nodes_of_finest        (required; only where nesting is not promised) every node is one of the
+///                          finest, and no two are the same one
 ///   fewer_nodes            the level is smaller (violations: 1)
 ///   boundary_nested        every boundary node is one in the level before
 ///   holes_kept             it has as many boundary loops as the level before, and as many

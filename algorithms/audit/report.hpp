@@ -41,6 +41,7 @@ void sort_pairs(std::vector<Index>& ids);
 struct Check {
   std::string name;              ///< stable, snake_case
   bool required = false;         ///< whether the verdict depends on it
+  bool promised = true;          ///< false where whoever made the input does not claim it
   std::uint64_t violations = 0;  ///< may exceed the items listed, where listing all costs too much
   Item item = Item::kNone;
   std::vector<Index> ids;       ///< ids_per(item) for each violation that is listed

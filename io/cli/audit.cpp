@@ -252,6 +252,7 @@ audit::HierarchyAuditOptions options_for(const HierarchyInput& input, const Dema
   if (input.method == "function" && input.metric == "graph") options.factor = input.factor;
   if (input.scheme == "from-finest" || input.scheme == "coarse-to-fine")
     options.selected_from = audit::SelectedFrom::kFinest;
+  if (!input.node_nested) options.nesting = audit::Nesting::kNotPromised;
   options.fixed = input.fixed;
   options.well_spacing = audit::WellSpacing::kMeasured;
   if (demands.domain) options.domain = &*demands.domain;

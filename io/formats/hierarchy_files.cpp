@@ -54,6 +54,7 @@ std::string describe(const Hierarchy& hierarchy, const CoarseningOptions& option
   JsonWriter json;
   json.begin_object();
   describe_coarsening(json, options);
+  json.field("node_nested", options.scheme != CoarseningScheme::kFromFinest);
   json.field("complete", hierarchy.complete).field("format", format.format);
   json.field("index_base", format.index_base);
   json.key("fixed").begin_array();

@@ -23,8 +23,9 @@ struct HierarchyFormat {
 
 /// Writes, for each level K, the mesh level_K (in the files of its format), level_K.origin (for
 /// each node its 0-based number in the input) and level_K.spacing (its value), one a line; and
-/// hierarchy.json with the parameters, the special points and the sizes of the levels. No file
-/// holds a time, so that the same input and options give the same bytes.
+/// hierarchy.json with the parameters, whether the levels are nested by promise (`node_nested`,
+/// what the auditor goes by), the special points and the sizes of the levels. No file holds a time,
+/// so that the same input and options give the same bytes.
 ///
 /// For solvers: level_K.prolongation, for each level K but the finest, the matrix from level K to
 /// level K - 1 in each of the formats; and in hierarchy.json, for each level, its number counted

@@ -65,6 +65,8 @@ Status read_manifest(const std::string& path, HierarchyInput& input) {
   if (const JsonValue* metric = json->find("metric")) input.metric = metric->text;
   if (const JsonValue* method = json->find("method")) input.method = method->text;
   if (const JsonValue* scheme = json->find("scheme")) input.scheme = scheme->text;
+  if (const JsonValue* nested = json->find("node_nested"))
+    input.node_nested = nested->kind != JsonValue::Kind::kFalse;
   if (const JsonValue* fixed = json->find("fixed"))
     for (const JsonValue& node : fixed->items) input.fixed.push_back(to_index(node.number));
   return Ok{};

@@ -11,13 +11,14 @@ namespace wellspaced {
 
 /// levels: from level 0 on. notes: what a user should know: one line each.
 /// beta, factor, method, scheme, metric, fixed: from hierarchy.json; 0 and empty where it does not
-/// tell.
+/// tell. node_nested: false where it says that this is not promised.
 struct HierarchyInput {
   std::vector<audit::HierarchyLevel> levels;
   std::vector<std::string> notes;
   double beta = 0, factor = 0;
   std::string method, scheme, metric;
   std::vector<Index> fixed;
+  bool node_nested = true;
 };
 
 /// Reads level_0, level_1, ... as far as they exist, each in any format that holds triangle meshes,

@@ -30,6 +30,7 @@ void append_check(JsonWriter& json, const Check& check) {
   json.begin_object().field("name", check.name);
   if (check.level) json.field("level", *check.level);
   json.field("required", check.required).field("pass", check.pass());
+  if (!check.promised) json.field("promised", false);
   json.field("violations", check.violations).field("item", audit::name_of(check.item));
   append_list(json.key("first"), check.ids, listed_ids(check));
   json.key("value");
@@ -129,7 +130,10 @@ std::string level_prefix(std::optional<Index> level) {
 // "FAIL: 8, edges 3-17 5-2 7-9 ..."
 std::string failure(const Check& check) {
   TextWriter text;
-  text << (check.required ? "FAIL: " : "fails: ") << check.violations;
+  text << (check.required   ? "FAIL: "
+           : check.promised ? "fails: "
+                            : "not promised: ")
+       << check.violations;
   const unsigned width = audit::ids_per(check.item);
   const std::size_t count = std::min<std::size_t>(check.ids.size(), 3 * width);
   if (count > 0) text << ", " << audit::name_of(check.item) << "s";

@@ -231,6 +231,48 @@ std::vector<Fault> faults() {
   };
 }
 
+// Levels each selected from the finest mesh by itself: some nodes of one are not in the level
+// before.
+Sequence from_finest() {
+  CoarseningOptions options;
+  options.scheme = CoarseningScheme::kFromFinest;
+  options.beta = 4, options.factor = 2;
+  const auto grid = generate_grid({.nx = 30, .ny = 30}).value();
+  const Hierarchy hierarchy = coarsen(grid, options).value();
+  Sequence sequence{"from finest", {}, hierarchy.levels[0].mesh.fixed, 4, 2};
+  for (const Level& level : hierarchy.levels)
+    sequence.levels.push_back({level.mesh, level.origin, level.spacing});
+  return sequence;
+}
+
+TEST(HierarchyNesting, IsRequiredUnlessItIsNotPromised) {
+  const Sequence sequence = from_finest();
+  const auto promised = audit::audit_hierarchy(sequence.levels);
+  EXPECT_FALSE(promised.pass());
+  EXPECT_TRUE(promised.check("node_nested")->required);
+  EXPECT_EQ(promised.check("nodes_of_finest"), nullptr);
+
+  const auto report =
+      audit::audit_hierarchy(sequence.levels, {.nesting = audit::Nesting::kNotPromised});
+  EXPECT_TRUE(report.pass());
+  EXPECT_FALSE(report.check("node_nested")->required);
+  EXPECT_FALSE(report.check("node_nested")->promised);
+  EXPECT_EQ(report.check("node_nested")->violations, promised.check("node_nested")->violations);
+  EXPECT_TRUE(report.check("nodes_of_finest")->pass());
+}
+
+TEST(HierarchyNesting, NotPromisedStillAsksForNodesOfTheFinestMesh) {
+  Sequence sequence = from_finest();
+  Point2& p = sequence.levels[2].mesh.points[7];
+  p.x = std::nextafter(p.x, 1e9);
+  const auto report =
+      audit::audit_hierarchy(sequence.levels, {.nesting = audit::Nesting::kNotPromised});
+  EXPECT_FALSE(report.pass());
+  for (const audit::Check& check : report.checks)
+    if (check.name == "nodes_of_finest")
+      EXPECT_EQ(check.ids, check.level == 2 ? std::vector<Index>{7} : std::vector<Index>{});
+}
+
 TEST(HierarchyTheorems, HoldForCleanHierarchies) {
   for (const Sequence& sequence : clean_sequences()) {
     const auto report = audit_of(sequence);

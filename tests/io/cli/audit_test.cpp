@@ -211,6 +211,23 @@ TEST(AuditCommand, JudgesADirectoryOfLevels) {
   EXPECT_TRUE(contains(broken.out, "{\"name\":\"node_nested\",\"required\":true,\"pass\":false"));
 }
 
+TEST(AuditCommand, PassesLevelsThatDoNotPromiseToBeNested) {
+  const TemporaryDirectory directory;
+  const std::string mesh = directory / "annulus", levels = directory / "levels";
+  ASSERT_EQ(run_program({"generate", "annulus", "--nodes", "600", "-o", mesh}).exit_code, 0);
+  ASSERT_EQ(run_program({"coarsen", mesh, "--scheme", "from-finest", "--beta", "4", "--factor", "2",
+                         "-o", levels})
+                .exit_code,
+            0);
+  const auto run = run_program({"audit", levels, "--json", "-"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.out,
+                       "{\"name\":\"node_nested\",\"required\":false,\"pass\":false,"
+                       "\"promised\":false,"));
+  EXPECT_TRUE(contains(run_program({"audit", levels}).out, "not promised: "));
+  EXPECT_EQ(run_program({"audit", levels, "--require", "node_nested"}).exit_code, 1);
+}
+
 // A square with its centre, as points alone.
 TEST(AuditCommand, JudgesTheSpacingOfPoints) {
   const TemporaryDirectory directory;
