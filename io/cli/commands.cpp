@@ -12,12 +12,13 @@ extern const Command kConvert;
 extern const Command kGenerate;
 extern const Command kMesh;
 extern const Command kPredicate;
+extern const Command kReproduce;
 extern const Command kTriangulate;
 
 namespace {
 
-constexpr std::array kCommands = {&kGenerate, &kTriangulate, &kMesh,   &kCoarsen,
-                                  &kAudit,    &kPredicate,   &kConvert};
+constexpr std::array kCommands = {&kGenerate, &kTriangulate, &kMesh,      &kCoarsen,
+                                  &kAudit,    &kReproduce,   &kPredicate, &kConvert};
 
 }  // namespace
 

@@ -1,0 +1,116 @@
+// wellspaced reproduce: the thesis' tables and figures, beside the published ones.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/reproduce/chapter.hpp"
+#include "wellspaced/io/reproduce/exhibit_files.hpp"
+#include "wellspaced/io/text/scanner.hpp"
+
+namespace wellspaced::cli {
+namespace {
+
+constexpr double kMostRuns = 10'000;
+constexpr double kLargestScale = 16;
+
+LaboratoryOptions read_options(Arguments& arguments, Session& session) {
+  LaboratoryOptions options;
+  options.runs = static_cast<std::size_t>(arguments.integer("--runs", 30, between(1, kMostRuns)));
+  options.scale = arguments.number("--scale", 1, between(0.002, kLargestScale));
+  options.data = arguments.text("--data", "");
+  options.seed = session.options().seed;
+  options.threads = arguments.has("--threads") ? session.options().threads
+                                               : std::max(1u, std::thread::hardware_concurrency());
+  options.directory = session.options().output;
+  options.version = WELLSPACED_VERSION;
+  options.progress = session.progress();
+  return options;
+}
+
+std::string names_of_exhibits() {
+  std::string names;
+  for (const ExhibitKind& kind : exhibit_kinds()) names.append(kind.name).append(", ");
+  return names + "all";
+}
+
+std::vector<const ExhibitKind*> find_exhibits(const std::string& name) {
+  std::vector<const ExhibitKind*> found;
+  for (const ExhibitKind& kind : exhibit_kinds())
+    if (name == "all" || name == kind.name) found.push_back(&kind);
+  return found;
+}
+
+// Each exhibit's files appear as soon as it is complete, and stay if the next one is interrupted.
+Status publish(const Exhibit& exhibit, const std::string& directory) {
+  if (directory.empty()) return Ok{};
+  OutputSet outputs;
+  if (Status status = add_exhibit(outputs, directory, exhibit); !status) return status;
+  return outputs.commit();
+}
+
+Result<std::vector<Exhibit>> make_exhibits(std::span<const ExhibitKind* const> kinds,
+                                           Laboratory& laboratory, Session& session) {
+  std::vector<Exhibit> exhibits;
+  for (const ExhibitKind* kind : kinds) {
+    auto exhibit = kind->make(*kind, laboratory);
+    if (!exhibit) return exhibit.error();
+    if (Status status = publish(*exhibit, session.options().output); !status) return status.error();
+    session.print(exhibit_text(*exhibit));
+    exhibits.push_back(std::move(*exhibit));
+  }
+  return exhibits;
+}
+
+Status write_summary(std::span<const Exhibit> exhibits, Session& session) {
+  JsonWriter json;
+  json.begin_object().key("exhibits").begin_array();
+  for (const Exhibit& exhibit : exhibits) append_exhibit_json(json, exhibit);
+  json.end_array().end_object();
+  return session.write_json(json);
+}
+
+Result<int> run(Arguments& arguments, Session& session) {
+  const std::string& what = arguments.operands()[0];
+  Laboratory laboratory(read_options(arguments, session));
+  if (Status status = arguments.status(); !status)
+    return Error{ErrorCode::kUsage, "reproduce: " + status.error().message, {}};
+  const auto kinds = find_exhibits(what);
+  if (kinds.empty())
+    return Error{ErrorCode::kUsage,
+                 "reproduce: " + in_quotes(what) + " is none of " + names_of_exhibits(),
+                 {}};
+  if (session.options().output == "-")
+    return Error{ErrorCode::kUsage, "reproduce: -o names a directory, not the standard output", {}};
+  const auto exhibits = make_exhibits(kinds, laboratory, session);
+  if (!exhibits) return exhibits.error();
+  if (Status status = write_summary(*exhibits, session); !status) return status.error();
+  return kExitOk;
+}
+
+constexpr std::array kOptions = {
+    Option{"--runs", "N",
+           "runs of each experiment of which the thesis made 30 (default 30); of the others, in "
+           "proportion"},
+    Option{"--data", "DIR",
+           "the folder of the original meshes, as Triangle's files: crack_float32, airfoil1, ...; "
+           "without it, meshes made by generate stand in for them"},
+    Option{"--scale", "S", "grids of 1000 S nodes a side (default 1)"},
+};
+
+}  // namespace
+
+extern const Command kReproduce;
+const Command kReproduce = {
+    .name = "reproduce",
+    .operands = "WHAT",
+    .summary = "make a table or figure of the thesis again, beside the published figures",
+    .least_operands = 1,
+    .most_operands = 1,
+    .options = kOptions,
+    .run = run};
+
+}  // namespace wellspaced::cli
