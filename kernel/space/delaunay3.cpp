@@ -193,11 +193,29 @@ Result<Index> Delaunay3::insert(Point3 p, Index hint) {
   if (!representative_.empty()) representative_.push_back(vertex);
   duplicate_count_ += vertex != v;
   tet_of_.push_back(kNoIndex);
-  if (vertex == v)
-    for (const Index changed : inserter_.cavity.tets)
-      for (const Index u : topology_.vertices(changed))
-        if (u != kGhost) tet_of_[u] = changed;
+  if (vertex == v) index_changed_tets();
   return vertex;
+}
+
+void Delaunay3::index_changed_tets() {
+  for (const Index changed : inserter_.cavity.tets)
+    for (const Index u : topology_.vertices(changed))
+      if (u != kGhost) tet_of_[u] = changed;
+}
+
+Result<Index> Delaunay3::insert_if(Point3 p, Index t, const CavityTest& accepts) {
+  assert(dimension_ == 3 && is_finite(p) && points_.size() < kMaxOrderedPoints);
+  if (!in_conflict(topology_, points_, t, p)) return kNoIndex;
+  inserter_.search.run(topology_, points_, t, p, inserter_.cavity);
+  if (!accepts(inserter_.cavity)) return kNoIndex;
+  const Index v = static_cast<Index>(points_.size());
+  inserter_.filler.reserve_vertices(points_.size() + 1);
+  if (Status s = inserter_.fill(topology_, v, Triangulation3::kMaxTets); !s) return s.error();
+  points_.push_back(p);
+  if (!representative_.empty()) representative_.push_back(v);
+  tet_of_.push_back(kNoIndex);
+  index_changed_tets();
+  return v;
 }
 
 Result<Index> Delaunay3::insert_anew(Point3 p) {

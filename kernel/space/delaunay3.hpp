@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -89,6 +90,26 @@ class Delaunay3 {
   /// that of building anew.
   Result<Index> insert(Point3 p, Index hint = 0);
 
+  /// Decides about a point before it goes in, by the tets that it would remove and the facets that
+  /// it would be joined to.
+  using CavityTest = std::function<bool(const Triangulation3::Cavity& cavity)>;
+
+  /// Adds point p, which lies inside the circumsphere of tet t, if `accepts` agrees. Returns its
+  /// number, or kNoIndex if it was refused or lies in no such sphere; then nothing is changed.
+  /// Requires: dimension() == 3; p finite and no vertex; t < topology().size(); fewer than 2^28
+  /// points. Errors: kLimit beyond 2^30 tets.
+  /// Cost: linear in the tets that it would remove; the first insertion after build O(n).
+  Result<Index> insert_if(Point3 p, Index t, const CavityTest& accepts);
+
+  /// What the last insertion of a vertex did to the numbers of tets: `changed` are those that are
+  /// new, with the vertex as a corner, or that now name another tet; `moves` says which others,
+  /// one move after the other.
+  struct Change {
+    std::span<const Index> changed;
+    std::span<const VertexInserter3::Move> moves;
+  };
+  Change last_change() const { return {inserter_.cavity.tets, inserter_.moves}; }
+
  private:
   static constexpr Index kGhost = Triangulation3::kGhost;
   using Duplicate = BulkInsertion3::Duplicate;
@@ -101,6 +122,7 @@ class Delaunay3 {
                        const std::vector<Duplicate>& duplicates, unsigned threads);
   void index_tets(const std::vector<Index>& order);
   Result<Index> insert_anew(Point3 p);
+  void index_changed_tets();
 
   Index find(Point3 p, Index hint) const;
 

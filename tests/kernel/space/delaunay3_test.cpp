@@ -282,5 +282,76 @@ TEST(Delaunay3, RefusedInsertionChangesNothing) {
   EXPECT_EQ(real_tets(d), before);
 }
 
+// Keeps a label with each tet, as clients do: the sum of its vertices.
+class TetLabels {
+ public:
+  explicit TetLabels(const Delaunay3& d) {
+    for (Index t = 0; t < d.topology().size(); ++t) labels_.push_back(label(d, t));
+  }
+  void follow(const Delaunay3& d, Index v) {
+    const auto [changed, moves] = d.last_change();
+    labels_.resize(std::max<std::size_t>(labels_.size(), d.topology().size()));
+    for (const auto& [from, to] : moves) labels_[to] = labels_[from];
+    labels_.resize(d.topology().size());
+    for (const Index t : changed)
+      if (const auto& w = d.topology().vertices(t); std::find(w.begin(), w.end(), v) != w.end())
+        labels_[t] = label(d, t);
+  }
+  bool are_right(const Delaunay3& d) const {
+    for (Index t = 0; t < d.topology().size(); ++t)
+      if (labels_[t] != label(d, t)) return false;
+    return true;
+  }
+
+ private:
+  static std::uint64_t label(const Delaunay3& d, Index t) {
+    std::uint64_t sum = 0;
+    for (const Index v : d.topology().vertices(t)) sum += v;
+    return sum;
+  }
+  std::vector<std::uint64_t> labels_;
+};
+
+TEST(Delaunay3, InsertsIfAcceptedAndTellsWhatBecameOfTheTets) {
+  std::size_t all_moves = 0;
+  for (const auto& [name, points] : degenerate_sets3()) {
+    SCOPED_TRACE(name);
+    const std::size_t half = points.size() / 2;
+    auto result = Delaunay3::build(std::span(points).first(half));
+    ASSERT_TRUE(result.ok());
+    Delaunay3& d = *result;
+    if (d.dimension() < 3) continue;
+    TetLabels labels(d);
+    for (std::size_t i = half; i < points.size(); ++i) {
+      const auto location = d.locate(points[i]);
+      if (location.place == Delaunay3::Place::kVertex) continue;
+      const Index size = d.topology().size();
+      ASSERT_EQ(*d.insert_if(points[i], location.tet, [](const auto&) { return false; }), kNoIndex);
+      ASSERT_EQ(d.topology().size(), size);
+      std::size_t removed = 0;
+      const auto accept = [&](const Triangulation3::Cavity& cavity) {
+        removed = cavity.tets.size() - cavity.rim.size();
+        return true;
+      };
+      const Index v = *d.insert_if(points[i], location.tet, accept);
+      ASSERT_EQ(v, d.points().size() - 1);
+      ASSERT_EQ(size - d.topology().size(), static_cast<Index>(removed));
+      all_moves += d.last_change().moves.size();
+      labels.follow(d, v);
+    }
+    EXPECT_TRUE(labels.are_right(d));
+    expect_delaunay(d);
+  }
+  EXPECT_GT(all_moves, 0u);
+}
+
+TEST(Delaunay3, RefusesToInsertFromATetWhoseSphereIsElsewhere) {
+  Delaunay3 d = built({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}});
+  const Index t = d.locate({0.1, 0.1, 0.1}).tet;
+  const auto accept = [](const auto&) { return true; };
+  EXPECT_EQ(*d.insert_if({7, 7, 7.5}, t, accept), kNoIndex);
+  EXPECT_EQ(d.points().size(), 5u);
+}
+
 }  // namespace
 }  // namespace wellspaced
