@@ -1,0 +1,265 @@
+#include "wellspaced/algorithms/packing/space/domain_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "wellspaced/kernel/angle.hpp"
+#include "wellspaced/kernel/space/vector3.hpp"
+
+namespace wellspaced {
+namespace {
+
+using Feature = FeatureSize3::Feature;
+
+Point3 direction(Point3 from, Point3 to) {
+  const Point3 way = to - from;
+  return (1 / length(way)) * way;
+}
+
+// The part of a facet around one of its points: cones between two directions.
+struct FacetCorner {
+  Index facet = 0;
+  std::vector<std::array<Point3, 2>> cones;
+  Point3 normal;
+};
+
+// What meets in a vertex.
+struct Meeting {
+  std::vector<Index> segments;
+  std::vector<FacetCorner> facets;
+};
+
+// A facet at a segment, and in what direction it leaves it.
+struct Wing {
+  Index facet = 0;
+  Point3 away;
+};
+
+class RuleCheck {
+ public:
+  RuleCheck(const PolyhedralComplex& complex, double tolerance, std::size_t most)
+      : complex_(complex),
+        tolerance_(tolerance),
+        most_(most),
+        meetings_(complex.points.size()),
+        wings_(complex.segments.size()) {}
+
+  std::vector<RuleViolation> run() {
+    collect();
+    for (Index v = 0; v < meetings_.size(); ++v) {
+      check_segments(v);
+      check_segments_and_facets(v);
+      check_facets(v);
+    }
+    for (Index s = 0; s < wings_.size(); ++s) check_wings(s);
+    return std::move(found_);
+  }
+
+ private:
+  void collect();
+  void add_corner(Index v, Index facet, Point3 first, Point3 second);
+  void check_segments(Index v);
+  void check_segments_and_facets(Index v);
+  void check_facets(Index v);
+  void check_wings(Index s);
+  double cosine_between(Point3 along, const FacetCorner& corner) const;
+  bool share_segment_at(Index v, Index f, Index g) const;
+  Point3 direction_from(Index v, Index s) const {
+    const Segment& segment = complex_.segments[s];
+    return direction(complex_.points[v], complex_.points[segment.a == v ? segment.b : segment.a]);
+  }
+  // Notes a fault if it is one. Returns false when there are enough.
+  bool judge(const RuleViolation& violation) {
+    if (violation.cosine > tolerance_ && found_.size() < most_) found_.push_back(violation);
+    return found_.size() < most_;
+  }
+
+  const PolyhedralComplex& complex_;
+  double tolerance_;
+  std::size_t most_;
+  std::vector<Meeting> meetings_;
+  std::vector<std::vector<Wing>> wings_;
+  std::vector<RuleViolation> found_;
+};
+
+void RuleCheck::add_corner(Index v, Index facet, Point3 first, Point3 second) {
+  std::vector<FacetCorner>& corners = meetings_[v].facets;
+  if (corners.empty() || corners.back().facet != facet) {
+    const PlaneFrame& frame = complex_.facets[facet].frame;
+    corners.push_back({facet, {}, cross(frame.u, frame.v)});
+  }
+  corners.back().cones.push_back({first, second});
+}
+
+void RuleCheck::collect() {
+  for (Index s = 0; s < complex_.segments.size(); ++s)
+    for (const Index v : {complex_.segments[s].a, complex_.segments[s].b})
+      meetings_[v].segments.push_back(s);
+  for (Index f = 0; f < complex_.facets.size(); ++f) {
+    const PolyhedralComplex::Facet& facet = complex_.facets[f];
+    for (const auto& triangle : facet.triangles) {
+      for (unsigned i = 0; i < 3; ++i) {
+        const Index v = triangle[i], next = triangle[(i + 1) % 3], last = triangle[(i + 2) % 3];
+        const Point3 p = complex_.points[v];
+        const Point3 to_next = direction(p, complex_.points[next]);
+        const Point3 to_last = direction(p, complex_.points[last]);
+        add_corner(v, f, to_next, to_last);
+        const Segment edge{std::min(v, next), std::max(v, next)};
+        const auto found =
+            std::partition_point(facet.segments.begin(), facet.segments.end(), [&](Index s) {
+              const Segment& other = complex_.segments[s];
+              return std::pair(other.a, other.b) < std::pair(edge.a, edge.b);
+            });
+        if (found == facet.segments.end() || complex_.segments[*found].a != edge.a ||
+            complex_.segments[*found].b != edge.b)
+          continue;
+        const Point3 away = to_last - dot(to_last, to_next) * to_next;
+        wings_[*found].push_back({f, (1 / length(away)) * away});
+      }
+    }
+  }
+}
+
+void RuleCheck::check_segments(Index v) {
+  const std::vector<Index>& segments = meetings_[v].segments;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Point3 along = direction_from(v, segments[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      if (!judge(
+              {{1, segments[j]}, {1, segments[i]}, v, dot(along, direction_from(v, segments[j]))}))
+        return;
+  }
+}
+
+// The cosine of the smallest angle between a direction and a facet: where the direction appears
+// within a cone, that to the plane; else that to the side of a cone.
+double RuleCheck::cosine_between(Point3 along, const FacetCorner& corner) const {
+  double largest = -1;
+  const Point3 flat = along - dot(along, corner.normal) * corner.normal;
+  for (const auto& [first, second] : corner.cones) {
+    largest = std::max({largest, dot(along, first), dot(along, second)});
+    const Point3 turn = cross(first, second);
+    if (dot(cross(first, flat), turn) > 0 && dot(cross(flat, second), turn) > 0)
+      largest = std::max(largest, length(flat));
+  }
+  return largest;
+}
+
+void RuleCheck::check_segments_and_facets(Index v) {
+  for (const FacetCorner& corner : meetings_[v].facets) {
+    const std::vector<Index>& own = complex_.facets[corner.facet].segments;
+    for (const Index s : meetings_[v].segments) {
+      if (std::binary_search(own.begin(), own.end(), s)) continue;
+      if (!judge({{1, s}, {2, corner.facet}, v, cosine_between(direction_from(v, s), corner)}))
+        return;
+    }
+  }
+}
+
+bool RuleCheck::share_segment_at(Index v, Index f, Index g) const {
+  const std::vector<Index>&first = complex_.facets[f].segments,
+        &second = complex_.facets[g].segments;
+  return std::any_of(meetings_[v].segments.begin(), meetings_[v].segments.end(), [&](Index s) {
+    return std::binary_search(first.begin(), first.end(), s) &&
+           std::binary_search(second.begin(), second.end(), s);
+  });
+}
+
+// Facets that have only the vertex in common there: all directions of one against all of the other.
+void RuleCheck::check_facets(Index v) {
+  const std::vector<FacetCorner>& corners = meetings_[v].facets;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (share_segment_at(v, corners[i].facet, corners[j].facet)) continue;
+      double largest = -1;
+      for (const auto& cone : corners[i].cones)
+        for (const Point3 along : cone)
+          largest = std::max(largest, cosine_between(along, corners[j]));
+      if (!judge({{2, corners[j].facet}, {2, corners[i].facet}, v, largest})) return;
+    }
+  }
+}
+
+void RuleCheck::check_wings(Index s) {
+  const std::vector<Wing>& wings = wings_[s];
+  for (std::size_t i = 0; i < wings.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (wings[i].facet == wings[j].facet) continue;
+      if (!judge({{2, wings[j].facet},
+                  {2, wings[i].facet},
+                  complex_.segments[s].a,
+                  dot(wings[i].away, wings[j].away)}))
+        return;
+    }
+  }
+}
+
+double extent_of(const PolyhedralComplex& complex) {
+  if (complex.points.empty()) return 0;
+  Point3 low = complex.points[0], high = low;
+  for (const Point3 p : complex.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return length(high - low);
+}
+
+std::string name_of(const Feature& feature, const PolyhedralComplex& complex) {
+  if (feature.dimension == 0) return "point " + std::to_string(feature.number);
+  if (feature.dimension == 2)
+    return "facet " + std::to_string(complex.facets[feature.number].source);
+  const Segment& s = complex.segments[feature.number];
+  return "segment " + std::to_string(s.a) + "-" + std::to_string(s.b);
+}
+
+Index point_of(const RuleViolation& violation, const PolyhedralComplex& complex) {
+  if (violation.place != kNoIndex) return violation.place;
+  const auto& [dimension, number] = violation.a;
+  return dimension == 0 ? number : complex.segments[number].a;
+}
+
+// How two polytopes meet: "facet 2 and facet 5 meet at 45.00 degrees at point 7".
+std::string description(const RuleViolation& violation, const PolyhedralComplex& complex) {
+  const std::string both = name_of(violation.a, complex) + " and " + name_of(violation.b, complex);
+  if (violation.place == kNoIndex) return both + " intersect";
+  const double c = std::clamp(violation.cosine, -1.0, 1.0);
+  const double angle = arccotangent_deg(c / std::sqrt(1 - c * c));
+  std::string digits = std::to_string(angle);
+  digits.resize(digits.find('.') + 3);
+  return both + " meet at " + digits + " degrees at point " + std::to_string(violation.place);
+}
+
+}  // namespace
+
+std::vector<RuleViolation> find_rule_violations(const PolyhedralComplex& complex,
+                                                const FeatureSize3& features, double tolerance,
+                                                std::size_t most) {
+  std::vector<RuleViolation> violations;
+  for (const auto& [a, b] : features.contacts(tolerance * extent_of(complex), most))
+    violations.push_back({a, b, kNoIndex, 1});
+  const auto angles = RuleCheck(complex, tolerance, most - violations.size()).run();
+  violations.insert(violations.end(), angles.begin(), angles.end());
+  return violations;
+}
+
+Error rule_error(const std::vector<RuleViolation>& violations, const PolyhedralComplex& complex) {
+  constexpr std::size_t kNamed = 3;
+  std::vector<RuleViolation> worst = violations;
+  std::stable_sort(worst.begin(), worst.end(), [](const RuleViolation& a, const RuleViolation& b) {
+    return a.cosine > b.cosine;
+  });
+  Error error{ErrorCode::kInvalidGeometry, "", {}};
+  error.message = std::to_string(worst.size()) +
+                  (worst.size() == 1 ? " pair of polytopes breaks" : " pairs of polytopes break") +
+                  " the rule of 90 degrees: ";
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    if (i < kNamed) error.message += (i > 0 ? "; " : "") + description(worst[i], complex);
+    error.ids.push_back(point_of(worst[i], complex));
+  }
+  if (worst.size() > kNamed) error.message += "; and more";
+  return error;
+}
+
+}  // namespace wellspaced
