@@ -35,18 +35,20 @@ Index CornerTable::next_boundary_node(Index u, Index v) const {
 
 CornerTable corner_table(std::span<const std::array<Index, 3>> triangles, Index nodes) {
   CornerTable table;
-  table.first.assign(std::size_t{nodes} + 1, 0);
+  // first[v + 1] is the free place of v until all of its corners are in.
+  std::vector<Index>& first = table.first;
+  first.assign(std::size_t{nodes} + 2, 0);
   for (const auto& t : triangles)
-    for (const Index v : t) ++table.first[v + 1];
-  for (Index v = 0; v < nodes; ++v) table.first[v + 1] += table.first[v];
+    for (const Index v : t) ++first[v + 2];
+  for (Index v = 0; v < nodes; ++v) first[v + 2] += first[v + 1];
 
   table.corners.resize(3 * triangles.size());
-  std::vector<Index> free(table.first.begin(), table.first.end() - 1);
   for (const auto& [a, b, c] : triangles) {
-    table.corners[free[a]++] = {b, c};
-    table.corners[free[b]++] = {c, a};
-    table.corners[free[c]++] = {a, b};
+    table.corners[first[a + 1]++] = {b, c};
+    table.corners[first[b + 1]++] = {c, a};
+    table.corners[first[c + 1]++] = {a, b};
   }
+  first.pop_back();
   return table;
 }
 

@@ -116,8 +116,8 @@ std::vector<Index> special_points(const TriangleMesh& mesh, const Skeleton& skel
       options.fixed ? *options.fixed : automatic_special_points(mesh, skeleton);
   const std::vector<Index>& anchors = skeleton.boundary.anchors;
   special.insert(special.end(), anchors.begin(), anchors.end());
-  for (Index v = 0; v < skeleton.graph.nodes(); ++v)
-    if (skeleton.graph.arcs_of(v).empty()) special.push_back(v);
+  for (Index v = 0; v < skeleton.corners.nodes(); ++v)
+    if (skeleton.corners.at(v).empty() && !skeleton.boundary.on_boundary[v]) special.push_back(v);
   sort_unique(special);
   return special;
 }
@@ -175,7 +175,7 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   if (const Status status = check_options(options, mesh.points.size()); !status)
     return status.error();
 
-  Skeleton skeleton = skeleton_of(mesh);
+  Skeleton skeleton = uses_graph(options) ? skeleton_of(mesh) : skeleton_without_graph(mesh);
   mesh.fixed = special_points(mesh, skeleton, options);
   complete_segments(mesh, skeleton.boundary);
   std::vector<double> limit;
@@ -185,8 +185,11 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
     limit = std::move(*lfs);
   }
   Level finest = finest_level(std::move(mesh), skeleton.graph, options);
-  if (options.method == CoarseningMethod::kQuadtree)
-    return coarsen_by_quadtree(std::move(finest), skeleton.boundary, options);
+  if (options.method == CoarseningMethod::kQuadtree) {
+    Boundary boundary = std::move(skeleton.boundary);
+    skeleton = {};  // large, and of no more use
+    return coarsen_by_quadtree(std::move(finest), std::move(boundary), options);
+  }
   return build_levels(std::move(finest), std::move(skeleton), limit, options);
 }
 

@@ -130,8 +130,9 @@ std::vector<Index> NodeSelection::selected() const {
 }
 
 std::uint64_t NodeSelection::key_of(Index v, std::span<const std::uint64_t> keys) const {
-  std::uint64_t key = keys[v];
-  twins_.for_each(v, [&](Index w) { key = std::min(key, keys[w]); });
+  const auto own_key = [&](Index w) { return keys.empty() ? w : keys[w]; };
+  std::uint64_t key = own_key(v);
+  twins_.for_each(v, [&](Index w) { key = std::min(key, own_key(w)); });
   return key;
 }
 

@@ -39,6 +39,9 @@ ConflictRule neighbor_conflicts(const Graph& graph);
 /// The choice while it is being made. Twins are selected, or made invalid, together.
 class NodeSelection {
  public:
+  /// No keys: nodes come in the order of their numbers.
+  static constexpr std::span<const std::uint64_t> kByNumber{};
+
   /// Told of every node whose turn comes before it is invalid.
   using Considered = std::function<void(Index node)>;
 
@@ -60,9 +63,9 @@ class NodeSelection {
   /// The order is kept in effect only. A node's fate depends on the nodes in conflict with it that
   /// come before it, and theirs on others near by; so the nodes are taken as they lie in memory,
   /// and each is decided as soon as those before it are.
-  /// keys: one a node of the mesh, all different. Twins come with the lower of their keys.
-  /// keep_going: asked now and then; false to stop, with the choice unfinished.
-  /// Returns: false when told to stop.
+  /// keys: one a node of the mesh, all different, or kByNumber; twins come with the lower of
+  /// theirs. keep_going: asked now and then; false to stop, with the choice unfinished. Returns:
+  /// false when told to stop.
   bool select(std::span<const Index> nodes, std::span<const std::uint64_t> keys,
               const std::function<bool()>& keep_going);
 

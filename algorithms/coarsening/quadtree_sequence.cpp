@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -127,10 +126,9 @@ std::optional<LevelChoice> choose_level(const QuadtreeStage& stage, std::span<co
   LeafWalk walk(stage);
   NodeSelection selection(stage.nodes(), stage.boundary.twins,
                           tree_conflicts(stage, walk, options.beta));
-  std::vector<std::uint64_t> keys(stage.nodes());
-  std::iota(keys.begin(), keys.end(), std::uint64_t{0});
   selection.force(forced);
-  if (!selection.select(stage.boundary.nodes, keys, [&] { return tell("boundary"); }))
+  if (!selection.select(stage.boundary.nodes, NodeSelection::kByNumber,
+                        [&] { return tell("boundary"); }))
     return std::nullopt;
   const std::size_t chosen = selection.selected().size();
   const ContractedBoundary contracted =
@@ -145,7 +143,8 @@ std::optional<LevelChoice> choose_level(const QuadtreeStage& stage, std::span<co
   std::vector<Index> interior;
   for (Index v = 0; v < stage.nodes(); ++v)
     if (!stage.boundary.on_boundary[v]) interior.push_back(v);
-  if (!selection.select(interior, keys, [&] { return tell("select"); })) return std::nullopt;
+  if (!selection.select(interior, NodeSelection::kByNumber, [&] { return tell("select"); }))
+    return std::nullopt;
   choice.nodes = selection.selected();
   return choice;
 }
@@ -208,6 +207,7 @@ std::vector<QuadtreeStage> make_stages(const Level& finest, const Boundary& boun
   while (stages.size() <= options.max_levels && stages.back().tree.leaves() > 1) {
     if (!tell("spacing")) return {};
     stages.push_back(next_stage(stages.back(), doublings));
+    if (stages.size() == 2) stages[0] = {};  // the largest; no level is selected from it
   }
   return stages;
 }
@@ -237,7 +237,7 @@ void append_levels(std::vector<Level> levels, std::size_t until_nodes, Hierarchy
 
 }  // namespace
 
-Result<Hierarchy> coarsen_by_quadtree(Level finest, const Boundary& boundary,
+Result<Hierarchy> coarsen_by_quadtree(Level finest, Boundary boundary,
                                       const CoarseningOptions& options) {
   const std::size_t nodes = finest.mesh.points.size();
   const TellPhase tell = [&](std::string_view phase) {

@@ -27,7 +27,7 @@ namespace wellspaced {
 /// Limits: the tree tells apart 2^31 boxes along a side. Where nodes lie closer together than that
 ///   against the size of the domain times beta, level 1 is coarser than it should be.
 /// See: Theorems 5.8.6 and 5.8.8; section 5.3.4, scheme 3.
-Result<Hierarchy> coarsen_by_quadtree(Level finest, const Boundary& boundary,
+Result<Hierarchy> coarsen_by_quadtree(Level finest, Boundary boundary,
                                       const CoarseningOptions& options);
 
 }  // namespace wellspaced

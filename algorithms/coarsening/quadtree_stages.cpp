@@ -115,13 +115,12 @@ Boundary renumbered(const Boundary& old, std::span<const Index> number, Index no
   boundary.curves = renumbered_curves(old, number);
   boundary.on_boundary.assign(nodes, 0);
   if (!old.twins.next.empty()) boundary.twins.next.resize(nodes);
-  for (Index v = 0; v < number.size(); ++v) {
-    if (number[v] == kNoIndex) continue;
-    boundary.on_boundary[number[v]] = old.on_boundary[v];
-    if (!old.twins.next.empty()) boundary.twins.next[number[v]] = number[old.twins.next[v]];
-  }
+  for (const Index v : old.nodes)
+    if (number[v] != kNoIndex) boundary.on_boundary[number[v]] = 1;
   for (Index v = 0; v < nodes; ++v)
     if (boundary.on_boundary[v]) boundary.nodes.push_back(v);
+  for (Index v = 0; v < old.twins.next.size(); ++v)
+    if (number[v] != kNoIndex) boundary.twins.next[number[v]] = number[old.twins.next[v]];
   return boundary;
 }
 
@@ -133,25 +132,21 @@ void renumber_fixed(std::span<const Index> fixed, std::span<const Index> number,
 
 // ---- Thinning
 
-// For each candidate the first deepest cell of the part of a leaf that it lies in.
-std::vector<MortonCode> parts_of_leaves(const QuadtreeStage& stage, const Quadtree& tree) {
-  std::vector<MortonCode> parts(stage.nodes());
-  Index leaf = 0;
-  for (Index v = 0; v < stage.nodes(); ++v) {
-    while (stage.cells[v] >= tree.start(leaf + 1)) ++leaf;
-    const int depth = std::min(tree.depth(leaf) + kPartDepth, kMortonDepth);
-    parts[v] = morton::first_in(morton::ancestor(stage.cells[v], depth), depth);
-  }
-  return parts;
+// The first deepest cell of the part of a leaf that a cell lies in.
+MortonCode part_of_leaf(const Quadtree& tree, Index leaf, MortonCode cell) {
+  const int depth = std::min(tree.depth(leaf) + kPartDepth, kMortonDepth);
+  return morton::first_in(morton::ancestor(cell, depth), depth);
 }
 
 // Special points, and of each curve the first node on every visit to a part.
-std::vector<Index> kept_boundary(const QuadtreeStage& stage, std::span<const MortonCode> parts) {
+std::vector<Index> kept_boundary(const QuadtreeStage& stage, const Quadtree& tree) {
   std::vector<Index> kept = stage.fixed;
   for (const BoundaryCurve& curve : stage.boundary.curves) {
     MortonCode last = ~MortonCode{0};
-    for (const Index v : curve.nodes)
-      if (std::exchange(last, parts[v]) != parts[v]) kept.push_back(v);
+    for (const Index v : curve.nodes) {
+      const MortonCode part = part_of_leaf(tree, tree.locate(stage.cells[v]), stage.cells[v]);
+      if (std::exchange(last, part) != part) kept.push_back(v);
+    }
   }
   return kept;
 }
@@ -160,11 +155,9 @@ void no_conflicts(Index, std::vector<Conflict>&) {}
 
 // The candidates that stay, marked: first the boundary, then of the interior nodes in each part the
 // first that the new boundary leaves inside.
-std::vector<std::uint8_t> surviving_candidates(const QuadtreeStage& stage,
-                                               std::span<const MortonCode> parts,
-                                               QuadtreeStage& next) {
+std::vector<std::uint8_t> surviving_candidates(const QuadtreeStage& stage, QuadtreeStage& next) {
   NodeSelection selection(stage.nodes(), stage.boundary.twins, no_conflicts);
-  selection.force(kept_boundary(stage, parts));
+  selection.force(kept_boundary(stage, next.tree));
   const std::size_t kept = selection.selected().size();
   const ContractedBoundary contracted =
       contract_and_repair(stage.boundary, stage.points, selection);
@@ -172,15 +165,19 @@ std::vector<std::uint8_t> surviving_candidates(const QuadtreeStage& stage,
 
   std::vector<std::uint8_t> stays(stage.nodes());
   MortonCode last = ~MortonCode{0};  // the part that has its node
+  Index leaf = 0;
   for (Index v = 0; v < stage.nodes(); ++v) {
     stays[v] = selection.is_selected(v);
-    if (stays[v] || stage.boundary.on_boundary[v] || parts[v] == last) continue;
+    if (stays[v] || stage.boundary.on_boundary[v]) continue;
+    while (stage.cells[v] >= next.tree.start(leaf + 1)) ++leaf;
+    const MortonCode part = part_of_leaf(next.tree, leaf, stage.cells[v]);
+    if (part == last) continue;
     if (contracted.moves_anything() && contracted.leaves_outside(stage.points[v])) {
       ++next.dropped_outside;
       continue;
     }
     stays[v] = 1;
-    last = parts[v];
+    last = part;
   }
   return stays;
 }
@@ -223,8 +220,6 @@ QuadtreeStage first_stage(const Level& finest, const Boundary& boundary, double 
   stage.topology = QuadtreeTopology(stage.tree);
   stage.boundary = renumbered(boundary, number, stage.nodes());
   renumber_fixed(finest.mesh.fixed, number, stage);
-  find_leaves(stage);
-  find_spacing(stage);
   return stage;
 }
 
@@ -236,8 +231,7 @@ QuadtreeStage next_stage(const QuadtreeStage& stage, int doublings) {
     next.tree = coarsened(next.tree, next.topology, QuadtreeBalance::kEdge);
     next.topology = QuadtreeTopology(next.tree);
   }
-  const std::vector<MortonCode> parts = parts_of_leaves(stage, next.tree);
-  inherit_candidates(stage, surviving_candidates(stage, parts, next), next);
+  inherit_candidates(stage, surviving_candidates(stage, next), next);
   find_leaves(next);
   find_spacing(next);
   return next;

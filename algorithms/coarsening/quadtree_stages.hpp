@@ -19,8 +19,9 @@ namespace wellspaced {
 /// The quadtree T_i with the candidates for level i, P(T_i, k) (Definition 5.8.7).
 ///
 /// Candidates are numbered along the Z curve, so those in a leaf lie side by side in memory.
-/// Boundary candidates are those on the curves of `boundary`, which is M_0's boundary contracted to
-/// them; interior candidates lie inside of it.
+/// No level is selected from stage 0, whose candidates are all nodes of M_0: it has neither leaves
+/// nor spacings of candidates, nor `finer`. Boundary candidates are those on the curves of
+/// `boundary`, which is M_0's boundary contracted to them; interior candidates lie inside of it.
 struct QuadtreeStage {
   Quadtree tree{Square{}};
   QuadtreeTopology topology{tree};

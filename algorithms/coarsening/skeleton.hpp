@@ -15,11 +15,17 @@ struct Skeleton {
 };
 
 /// Cost: linear but for sorting the boundary. Requires: as boundary_of().
-inline Skeleton skeleton_of(const TriangleMesh& mesh) {
+inline Skeleton skeleton_without_graph(const TriangleMesh& mesh) {
   Skeleton skeleton;
   skeleton.corners = corner_table(mesh.triangles, static_cast<Index>(mesh.points.size()));
-  skeleton.graph = mesh_graph(mesh.points, skeleton.corners, mesh.segments);
   skeleton.boundary = boundary_of(mesh, skeleton.corners);
+  return skeleton;
+}
+
+/// The same, whole. The graph takes four times the memory of the triangles.
+inline Skeleton skeleton_of(const TriangleMesh& mesh) {
+  Skeleton skeleton = skeleton_without_graph(mesh);
+  skeleton.graph = mesh_graph(mesh.points, skeleton.corners, mesh.segments);
   return skeleton;
 }
 

@@ -54,6 +54,10 @@ bool uses_visibility(const CoarseningOptions& options) {
          options.method != CoarseningMethod::kQuadtree && options.metric != SpacingMetric::kGraph;
 }
 
+bool uses_graph(const CoarseningOptions& options) {
+  return options.method != CoarseningMethod::kQuadtree;
+}
+
 SourceMesh source_mesh(const Level& level, Skeleton skeleton, std::span<const double> limit,
                        const CoarseningOptions& options) {
   SourceMesh source{level, std::move(skeleton), std::nullopt, {}};
@@ -69,8 +73,8 @@ std::vector<double> input_spacing(const TriangleMesh& mesh, const Graph& graph,
   const bool is_of_chapter_6 = options.method == CoarseningMethod::kThreshold ||
                                options.method == CoarseningMethod::kQuasiUniform;
   if (is_of_chapter_6) return nearest_neighbor_spacing(mesh.points);
-  return uses_visibility(options) ? scaled(nearest_neighbor_spacing(mesh.points), 0.5)
-                                  : mesh_spacing(graph);
+  if (uses_visibility(options)) return scaled(nearest_neighbor_spacing(mesh.points), 0.5);
+  return uses_graph(options) ? mesh_spacing(graph) : mesh_spacing(mesh);
 }
 
 std::vector<double> coarsened(const SourceMesh& source, double factor,

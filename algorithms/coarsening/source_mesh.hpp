@@ -31,8 +31,12 @@ SourceMesh source_mesh(const Level& level, Skeleton skeleton, std::span<const do
 /// Whether conflicts are between nodes that see each other, not along edges.
 bool uses_visibility(const CoarseningOptions& options);
 
+/// Whether anything is read off the graph of the mesh.
+bool uses_graph(const CoarseningOptions& options);
+
 /// The spacing g that an input mesh has: half its shortest edges in the graph metric, half NN in
 /// the others; for the methods of chapter 6 NN; or what the options give.
+/// graph: of the mesh; may be empty where uses_graph() denies it.
 std::vector<double> input_spacing(const TriangleMesh& mesh, const Graph& graph,
                                   const CoarseningOptions& options);
 

@@ -5,12 +5,17 @@
 #include <vector>
 
 #include "wellspaced/kernel/graph.hpp"
+#include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
 
 /// The spacing that a mesh has: half the shortest edge at each node; 0 at a node without edges.
 /// Cost: linear. See: section 8.3.
 std::vector<double> mesh_spacing(const Graph& graph);
+
+/// The same, of the graph that the mesh has, without making it. Edges so long that their length
+/// overflows are passed over.
+std::vector<double> mesh_spacing(const TriangleMesh& mesh);
 
 /// The coarsening function f(p) = min over all nodes q of factor * g(q) + d_G(p, q): the greatest
 /// function that is 1-Lipschitz in the graph metric and at most factor * g. Nodes without edges

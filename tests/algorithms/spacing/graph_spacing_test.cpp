@@ -30,6 +30,17 @@ TEST(MeshSpacing, IsHalfTheShortestEdge) {
   EXPECT_EQ(spacing, expected);
 }
 
+TEST(MeshSpacing, NeedsNoGraph) {
+  TriangleMesh mesh = test::grid_mesh({.nx = 8, .ny = 7, .hole = 0.1, .seed = 4});
+  mesh.points.insert(mesh.points.end(), {{20, 20}, {20.25, 20}, {30, 30}});
+  const auto first = static_cast<Index>(mesh.points.size() - 3);
+  mesh.segments.push_back({first, first + 1, 1});
+  mesh.segments.push_back({first + 2, first + 2, 1});
+  EXPECT_EQ(mesh_spacing(mesh), mesh_spacing(mesh_graph(mesh)));
+  EXPECT_EQ(mesh_spacing(mesh)[first], 0.125);
+  EXPECT_EQ(mesh_spacing(mesh)[first + 2], 0);
+}
+
 TEST(MeshSpacing, IsZeroAtANodeWithoutEdges) {
   TriangleMesh mesh;
   mesh.points = {{0, 0}, {1, 0}, {5, 5}};
