@@ -8,7 +8,6 @@
 namespace wellspaced {
 
 inline constexpr double kCotangentOf10Degrees = 5.671281819617709530994418439864;
-inline constexpr double kCotangentOf25Degrees = 2.144506920509558616356302790822;
 
 /// The cotangent of the angle at `apex` between the rays to p and q, in either order: it falls from
 /// +infinity at 0 to -infinity at 180 degrees, so a larger cotangent is a smaller angle.

@@ -5,7 +5,7 @@
 
 #include "wellspaced/algorithms/coarsening/statistics.hpp"
 #include "wellspaced/algorithms/generate/curved_domain.hpp"
-#include "wellspaced/algorithms/generate/refinement.hpp"
+#include "wellspaced/algorithms/packing/pack_domain.hpp"
 
 namespace wellspaced {
 namespace {
@@ -15,8 +15,8 @@ constexpr Index kMostNodes = Index{1} << 26;
 constexpr double kMostOctaves = 16;
 constexpr double kSmallestAngleDeg = 25;
 
-// The steepest spacing that keeps angles of 25 degrees: arcsin((1 - L) / 2) allows 0.15, and
-// cutting small angles reaches 0.4 in every case tried.
+// The steepest spacing that keeps angles of 25 degrees: balls alone allow 0.15, arcsin((1 - L) / 2)
+// being the angle for a slope of L, and cutting small angles reaches more.
 constexpr double kSteepest = 0.3;
 
 CurvedDomain domain_of(GradedDomain kind, double octaves) {
@@ -51,14 +51,28 @@ Status check(const GradedMeshOptions& options) {
   return Ok{};
 }
 
+Error too_coarse() {
+  return {ErrorCode::kLimit, "the spacing is too large for the boundary's shape", {}};
+}
+
 Result<TriangleMesh> mesh_at(const CurvedDomain& domain, double scale, Index nodes,
                              const Progress& progress) {
   const std::size_t max_points = 2 * std::size_t{nodes};
   const Pslg boundary = discretize(domain, scale);
   if (boundary.points.size() > max_points)
     return Error{ErrorCode::kLimit, "the boundary alone has too many nodes", {}};
-  const auto spacing = [&](Point2 p) { return scale * domain.grading(p); };
-  return refine_by_spacing(boundary, spacing, max_points, progress);
+  PackingOptions options;
+  options.size = [&](Point2 p) { return scale * domain.grading(p); };
+  options.holes = HoleRule::kSeeds;
+  options.max_points = max_points;
+  options.progress = progress;
+  auto packed = pack_domain(boundary, options);
+  if (!packed && packed.error().code == ErrorCode::kInvalidGeometry) return too_coarse();
+  if (!packed) return packed.error();
+  if (packed->was_cancelled) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (!packed->is_complete)
+    return Error{ErrorCode::kLimit, "the mesh would have more nodes than the limit", {}};
+  return std::move(packed->mesh);
 }
 
 // The domain's mesh at the steepest spacing, which has the fewest nodes, if these are not too many.
@@ -100,8 +114,7 @@ Result<TriangleMesh> try_mesh(const CurvedDomain& domain, Index nodes, const Pro
   auto smallest = smallest_mesh(domain, nodes, progress);
   if (!smallest) return smallest.error();
   auto mesh = mesh_of_size(domain, nodes, std::move(*smallest), progress);
-  if (mesh && has_small_angle(*mesh))
-    return Error{ErrorCode::kLimit, "the spacing is too large for the boundary's shape", {}};
+  if (mesh && has_small_angle(*mesh)) return too_coarse();
   return mesh;
 }
 
@@ -126,9 +139,15 @@ Result<Pslg> generate_graded_boundary(GradedDomain domain, const GradedMeshOptio
   if (!mesh) return mesh.error();
   Pslg boundary;
   boundary.segments = std::move(mesh->segments);
-  Index count = 0;  // the boundary's points come first
-  for (const Segment& s : boundary.segments) count = std::max({count, s.a + 1, s.b + 1});
-  boundary.points.assign(mesh->points.begin(), mesh->points.begin() + count);
+  std::vector<Index> number(mesh->points.size(), kNoIndex);
+  for (Segment& s : boundary.segments)
+    for (Index* end : {&s.a, &s.b}) {
+      if (number[*end] == kNoIndex) {
+        number[*end] = static_cast<Index>(boundary.points.size());
+        boundary.points.push_back(mesh->points[*end]);
+      }
+      *end = number[*end];
+    }
   boundary.holes = domain_of(domain, 0).holes;  // at any grading
   return boundary;
 }

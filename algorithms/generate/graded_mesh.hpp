@@ -17,10 +17,10 @@ struct GradedMeshOptions {
   double octaves = -1;
 };
 
-/// A mesh of one of the domains of curved_domain.hpp by refine_by_spacing, the spacing a multiple
-/// of the domain's grading that gives the number of nodes.
-/// Returns: within 2% of the nodes asked for (4% below 1000), smallest angle at least 25 degrees;
-///   boundary nodes first. The same bytes everywhere.
+/// A mesh of one of the domains of curved_domain.hpp by pack_domain, the size a multiple of the
+/// domain's grading that gives the number of nodes.
+/// Returns: within 2% of the nodes asked for (4% below 1000), smallest angle at least 25
+///   degrees. The same bytes everywhere.
 /// Errors: kUsage for an option out of its range, or if the number of nodes does not suit the
 ///   octaves: too few for such a grading, or for so little of it where the boundary is finely
 ///   shaped; kCancelled.

@@ -65,7 +65,8 @@ class InteriorPacking {
   }
   void push_if_bad(Index t);
   void cut(const Waiting& waiting);
-  Index put_ball(const Waiting& waiting, Point2 centre);
+  Index put_ball(const Waiting& waiting, Point2 centre, double radius);
+  Index put_kissing_ball(const Waiting& waiting, Point2 centre, double radius);
   std::pair<Index, Index> shortest_edge(const PackedCorners& corners) const;
   Point2 towards(Index a, Index b, Point2 centre, double height) const;
   Point2 kissing(const PackedCorners& corners, Point2 centre, double radius) const;
@@ -169,16 +170,21 @@ void InteriorPacking::try_ball(const Waiting& waiting) {
   if (!std::isfinite(circle.radius_sq) || !has_room(circle, waiting.corners, radius)) return;
   Index v = kNoIndex;
   if (options_.placement == BallPlacement::kKissing)
-    v = put_ball(waiting, kissing(waiting.corners, circle.centre, radius));
-  if (v == kNoIndex) v = put_ball(waiting, circle.centre);
+    v = put_kissing_ball(waiting, circle.centre, radius);
+  if (v == kNoIndex) v = put_ball(waiting, circle.centre, radius);
   if (v == kNoIndex) return;
   ++balls_packed_;
   push_star(v);
 }
 
-Index InteriorPacking::put_ball(const Waiting& waiting, Point2 centre) {
+Index InteriorPacking::put_ball(const Waiting& waiting, Point2 centre, double radius) {
   const Index t = packing_.walk(waiting.triangle, centre).triangle;
-  return t == kNoIndex ? t : packing_.add_ball(centre, t, packing_.radius_at(centre));
+  return t == kNoIndex ? t : packing_.add_ball(centre, t, radius);
+}
+
+Index InteriorPacking::put_kissing_ball(const Waiting& waiting, Point2 centre, double radius) {
+  const Point2 p = kissing(waiting.corners, centre, radius);
+  return put_ball(waiting, p, packing_.radius_at(p));
 }
 
 // The point on the way from the middle of the shortest edge to the circumcentre from which the ends

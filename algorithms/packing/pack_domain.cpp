@@ -339,8 +339,9 @@ Result<PackedMesh> pack_scaled_domain(const Pslg& input, const PackingOptions& o
       LocalFeatureSize::build(work.lopped(), {HoleRule::kNone, CrossingRule::kSplit, {}});
   if (!lfs) return lfs.error();
   const BallRadius radius = [&, cursor = LocalFeatureSize::Cursor(*lfs)](Point2 p) mutable {
-    const double own = cursor.at(p) / options.beta;
-    return options.size ? std::min(own, options.size(p) / 2) : own;
+    if (!options.size) return cursor.at(p) / options.beta;
+    const double most = options.size(p) / 2;
+    return std::min(most, cursor.at(p, options.beta * most) / options.beta);
   };
   if (Status packed = work.pack(radius); !packed) return packed.error();
 

@@ -46,6 +46,50 @@ double distance_sq_to_box(const Box2& box, Point2 x) {
          square(x.y - std::clamp(x.y, box.low.y, box.high.y));
 }
 
+// The features nearest to a place, by distance, up to the first that is apart from one before it:
+// how far that one is, is the local feature size.
+//
+// More than a few that touch each other share a vertex, and any other feature touches two of them
+// at most; so the nearest of them will do.
+class NearestFeatures {
+ public:
+  NearestFeatures(const std::vector<LocalFeatureSize::Feature>& features, double bound_sq)
+      : features_(features), bound_sq_(bound_sq) {}
+
+  // Features this far away, squared, no longer matter.
+  double bound_sq() const { return bound_sq_; }
+  // The two that are apart; kNoIndex if none were met.
+  const std::array<Index, 2>& apart() const { return apart_; }
+
+  // Requires: nearer than the bound.
+  void add(Index feature, double distance_sq) {
+    std::size_t at = size_++;
+    for (; at > 0 && first_[at - 1].distance_sq > distance_sq; --at) first_[at] = first_[at - 1];
+    first_[at] = {distance_sq, feature};
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (are_incident(features_[first_[i].feature], features_[feature])) continue;
+      apart_ = {first_[i].feature, feature};
+      size_ = std::max(i, at) + 1;
+      bound_sq_ = first_[size_ - 1].distance_sq;
+      break;
+    }
+    size_ = std::min(size_, kMost);
+  }
+
+ private:
+  struct Met {
+    double distance_sq;
+    Index feature;
+  };
+
+  const std::vector<LocalFeatureSize::Feature>& features_;
+  static constexpr std::size_t kMost = 8;
+  std::array<Met, kMost + 1> first_;
+  std::size_t size_ = 0;
+  double bound_sq_;
+  std::array<Index, 2> apart_{kNoIndex, kNoIndex};
+};
+
 // What the search has before it: a node of the tree, counted from 1, with its features; or, with
 // node 0, one feature.
 struct Pending {
@@ -179,68 +223,59 @@ void LocalFeatureSize::visit_by_distance(Point2 x, Visit visit) const {
   }
 }
 
-double LocalFeatureSize::at(Point2 x) const {
-  double result = kInfiniteSize;
-  IncidentFeatures met;
-  visit_by_distance(x, [&](Index feature, double distance) {
-    if (met.add(features_[feature])) return true;
-    result = distance;
-    return false;
-  });
-  return result;
+double LocalFeatureSize::at(Point2 x, double bound) const {
+  return std::min(bound, search(x, bound).size);
 }
 
-// ---- From near by -------------------------------------------------------------------------
-
-// With s = lfs(centre), what matters at x lies within lfs(x) <= s + |x - centre| of x, so within
-// s + 2 |x - centre| of the centre: within 2.2 s, for x up to 0.6 s away.
-void LocalFeatureSize::Cursor::explore(Point2 x, Place& place) const {
-  constexpr double kRemembered = 2.3, kReach = 0.6;
-  const double size = lfs_->at(x);
-  place.centre = lfs_->scaled(x);
-  place.reach_sq = square(kReach * lfs_->scale_ * size);
-  place.features.clear();
-  lfs_->visit_by_distance(x, [&](Index feature, double distance) {
-    if (distance > kRemembered * size) return false;
-    place.features.push_back(feature);
-    return true;
-  });
-}
-
-// The place that x is near to, a new one instead of the longest unused if there is none; brought to
-// the front.
-const LocalFeatureSize::Cursor::Place& LocalFeatureSize::Cursor::place_of(Point2 x) {
-  constexpr std::size_t kPlaces = 32;
-  const Point2 p = lfs_->scaled(x);
-  auto found = std::find_if(places_.begin(), places_.end(), [p](const Place& place) {
-    return square(p.x - place.centre.x) + square(p.y - place.centre.y) <= place.reach_sq;
-  });
-  if (found == places_.end()) {
-    if (places_.size() < kPlaces) places_.emplace_back();
-    found = places_.end() - 1;
-    explore(x, *found);
+// The local feature size if it is below the bound, else something above it. The nearer half of each
+// node of the tree comes first.
+LocalFeatureSize::Answer LocalFeatureSize::search(Point2 x, double bound) const {
+  const Point2 from = scaled(x);
+  NearestFeatures nearest(features_, square(scale_ * bound));
+  std::array<Pending, 64> stack;  // the tree is at most 28 deep
+  std::size_t waiting = 0;
+  const auto box_distance_sq = [&](Index node) {
+    return distance_sq_to_box(around_[node - 1], from);
+  };
+  const auto push = [&](double distance_sq, Index node, Index first, Index last) {
+    if (distance_sq < nearest.bound_sq()) stack[waiting++] = {distance_sq, node, first, last};
+  };
+  if (!features_.empty()) push(box_distance_sq(1), 1, 0, static_cast<Index>(features_.size()));
+  while (waiting > 0) {
+    const Pending& next = stack[--waiting];
+    if (!(next.distance_sq < nearest.bound_sq())) continue;
+    const Index node = next.node, first = next.first, last = next.last;
+    if (last - first > kFeaturesInLeaf) {
+      const Index middle = first + (last - first) / 2;
+      const double low_sq = box_distance_sq(2 * node), high_sq = box_distance_sq(2 * node + 1);
+      const bool is_low_nearer = low_sq <= high_sq;
+      if (is_low_nearer) push(high_sq, 2 * node + 1, middle, last);
+      push(low_sq, 2 * node, first, middle);
+      if (!is_low_nearer) push(high_sq, 2 * node + 1, middle, last);
+      continue;
+    }
+    for (Index i = first; i < last; ++i) {
+      const double feature_sq = stretches_[i].distance_sq(from);
+      if (feature_sq < nearest.bound_sq()) nearest.add(i, feature_sq);
+    }
   }
-  std::rotate(places_.begin(), found, found + 1);
-  return places_.front();
+  if (nearest.apart()[0] == kNoIndex) return {};
+  return {std::sqrt(nearest.bound_sq()) / scale_, nearest.apart()};
 }
 
-double LocalFeatureSize::Cursor::at(Point2 x) {
-  constexpr std::size_t kMany = 40;  // so many that the tree is as good
-  const Place& place = place_of(x);
-  const std::size_t count = place.features.size();
-  if (count > kMany || !(place.reach_sq < kInfiniteSize)) return lfs_->at(x);
-  const Point2 from = lfs_->scaled(x);
-  std::array<std::pair<double, Index>, kMany> by_distance;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Index feature = place.features[i];
-    by_distance[i] = {lfs_->stretches_[feature].distance_sq(from), feature};
+// The two features of the last answer bound the next one.
+double LocalFeatureSize::Cursor::at(Point2 x, double bound) {
+  constexpr double kRounding = 1 + 1e-9;
+  double expected = kInfiniteSize;
+  if (last_[0] != kNoIndex) {
+    const Point2 p = lfs_->scaled(x);
+    const double farther = std::max(lfs_->stretches_[last_[0]].distance_sq(p),
+                                    lfs_->stretches_[last_[1]].distance_sq(p));
+    expected = std::sqrt(farther) / lfs_->scale_ * kRounding;
   }
-  std::sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(count));
-  IncidentFeatures met;
-  for (std::size_t i = 0; i < count; ++i)
-    if (!met.add(lfs_->features_[by_distance[i].second]))
-      return std::sqrt(by_distance[i].first) / lfs_->scale_;
-  return lfs_->at(x);  // not reached but for rounding
+  const Answer answer = lfs_->search(x, std::min(expected, bound));
+  if (answer.features[0] != kNoIndex) last_ = answer.features;
+  return std::min({answer.size, expected, bound});
 }
 
 // ---- Inside the domain ---------------------------------------------------------------------

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "wellspaced/kernel/box_tree.hpp"
@@ -30,27 +31,20 @@ class LocalFeatureSize {
   /// Errors: those of triangulate; kInvalidGeometry if the extent of the graph is no double.
   static Result<LocalFeatureSize> build(const Pslg& graph, const TriangulateOptions& options = {});
 
-  /// The radius of the smallest ball around x that meets two features which are not incident.
-  double at(Point2 x) const;
+  /// The radius of the smallest ball around x that meets two features which are not incident; or
+  /// `bound`, if that is less. The smaller the bound, the less is looked at.
+  double at(Point2 x, double bound = std::numeric_limits<double>::infinity()) const;
 
-  /// at() for points that come one near the other: it remembers the features around the last few
-  /// places. The values are the same. Requires: the LocalFeatureSize outlives it, in its place.
+  /// at() for points that come one near the other: the features that decided there bound the
+  /// search. The values are the same. Requires: the LocalFeatureSize outlives it, in its place.
   class Cursor {
    public:
     explicit Cursor(const LocalFeatureSize& lfs) : lfs_(&lfs) {}
-    double at(Point2 x);
+    double at(Point2 x, double bound = std::numeric_limits<double>::infinity());
 
    private:
-    struct Place {
-      Point2 centre;
-      double reach_sq = -1;  // how far from the centre, squared, its features will do
-      std::vector<Index> features;
-    };
-    const Place& place_of(Point2 x);
-    void explore(Point2 x, Place& place) const;
-
     const LocalFeatureSize* lfs_;
-    std::vector<Place> places_;  // the latest first
+    std::array<Index, 2> last_{kNoIndex, kNoIndex};  // features
   };
 
   /// The same with distances inside the domain, around holes and cracks (Definition 2.2.6); a point
@@ -84,6 +78,12 @@ class LocalFeatureSize {
 
   void measure_features();
   void build_tree(std::size_t node, std::size_t first, std::size_t last);
+  // Two features that are apart, and how far the farther one is; kNoIndex: none were found.
+  struct Answer {
+    double size = std::numeric_limits<double>::infinity();
+    std::array<Index, 2> features{kNoIndex, kNoIndex};
+  };
+  Answer search(Point2 x, double bound) const;
   template <class Visit>
   void visit_by_distance(Point2 x, Visit visit) const;
 

@@ -261,11 +261,14 @@ TEST(LocalFeatureSize, ScalesWithTheGraph) {
 
 TEST(LocalFeatureSize, IsTheSameFromNearBy) {
   const LocalFeatureSize lfs = size_of(random_graph_of_segments(30, 10, 21));
-  LocalFeatureSize::Cursor cursor(lfs);
+  LocalFeatureSize::Cursor cursor(lfs), bounded(lfs);
   Random random(22);
   Point2 x{0.5, 0.5};
   for (int step = 0; step < 5000; ++step) {
-    EXPECT_EQ(cursor.at(x), lfs.at(x));
+    const double size = lfs.at(x), bound = random.uniform(0, 0.2);
+    EXPECT_EQ(cursor.at(x), size);
+    EXPECT_EQ(lfs.at(x, bound), std::min(size, bound));
+    EXPECT_EQ(bounded.at(x, bound), std::min(size, bound));
     const double stride = step % 100 == 0 ? 0.3 : 0.003;
     x = {x.x + random.uniform(-stride, stride), x.y + random.uniform(-stride, stride)};
   }
