@@ -8,6 +8,7 @@
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
 namespace {
@@ -66,10 +67,11 @@ class InteriorPacking {
   void push_if_bad(Index t);
   void cut(const Waiting& waiting);
   Index put_ball(const Waiting& waiting, Point2 centre, double radius);
-  Index put_kissing_ball(const Waiting& waiting, Point2 centre, double radius);
+  Index put_ball_near(const Waiting& waiting, Point2 p);
   std::pair<Index, Index> shortest_edge(const PackedCorners& corners) const;
   Point2 towards(Index a, Index b, Point2 centre, double height) const;
   Point2 kissing(const PackedCorners& corners, Point2 centre, double radius) const;
+  Point2 displaced(const Circle& circle);
   Point2 off_centre(const PackedCorners& corners, Point2 centre) const;
   double clearance(const PackedCorners& corners) const;
 
@@ -80,6 +82,7 @@ class InteriorPacking {
   std::vector<Waiting> waiting_;
   std::vector<BadTriangle> bad_;
   std::size_t balls_packed_ = 0, steps_ = 0;
+  Random random_{1};
   bool is_complete_ = true, was_cancelled_ = false;
 };
 
@@ -170,7 +173,8 @@ void InteriorPacking::try_ball(const Waiting& waiting) {
   if (!std::isfinite(circle.radius_sq) || !has_room(circle, waiting.corners, radius)) return;
   Index v = kNoIndex;
   if (options_.placement == BallPlacement::kKissing)
-    v = put_kissing_ball(waiting, circle.centre, radius);
+    v = put_ball_near(waiting, kissing(waiting.corners, circle.centre, radius));
+  if (options_.placement == BallPlacement::kGeneric) v = put_ball_near(waiting, displaced(circle));
   if (v == kNoIndex) v = put_ball(waiting, circle.centre, radius);
   if (v == kNoIndex) return;
   ++balls_packed_;
@@ -179,12 +183,22 @@ void InteriorPacking::try_ball(const Waiting& waiting) {
 
 Index InteriorPacking::put_ball(const Waiting& waiting, Point2 centre, double radius) {
   const Index t = packing_.walk(waiting.triangle, centre).triangle;
-  return t == kNoIndex ? t : packing_.add_ball(centre, t, radius);
+  if (t == kNoIndex) return t;
+  if (options_.may_add && !options_.may_add(centre, radius)) return kNoIndex;
+  return packing_.add_ball(centre, t, radius);
 }
 
-Index InteriorPacking::put_kissing_ball(const Waiting& waiting, Point2 centre, double radius) {
-  const Point2 p = kissing(waiting.corners, centre, radius);
+// The same beside a circumcentre, where the radius is another.
+Index InteriorPacking::put_ball_near(const Waiting& waiting, Point2 p) {
   return put_ball(waiting, p, packing_.radius_at(p));
+}
+
+// A point near the middle of the circle.
+Point2 InteriorPacking::displaced(const Circle& circle) {
+  constexpr double kShare = 1.0 / 64;  // of the circle's radius
+  const double reach = kShare * std::sqrt(circle.radius_sq);
+  const double x = random_.uniform(-reach, reach);
+  return {circle.centre.x + x, circle.centre.y + random_.uniform(-reach, reach)};
 }
 
 // The point on the way from the middle of the shortest edge to the circumcentre from which the ends

@@ -22,7 +22,8 @@ enum class Maximality {
 /// Where in a triangle with room for it a ball is put.
 enum class BallPlacement {
   kCircumcentre,  ///< in the middle of the gap: few points
-  kKissing  ///< touching the balls of the shortest edge, if it fits: more points, tightly packed
+  kKissing,  ///< touching the balls of the shortest edge, if it fits: more points, tightly packed
+  kGeneric   ///< a little beside the middle, by chance, so that no four points lie on one circle
 };
 
 /// What the domain is at some place.
@@ -38,9 +39,11 @@ struct Zone {
 /// smallest_angle_deg: triangles with smaller angles are cut, too, by points nearer together than
 ///   their balls; 0: none are. Up to 20.7 this is proven to end with no such triangle where the
 ///   boundary's angles are at least 60 degrees; it always ends, and up to 30 it seldom leaves one.
+/// may_add: a further rule for new balls, by centre and radius; empty: there is none.
 /// max_points: where to stop.
 struct InteriorOptions {
   BallRadius radius;
+  std::function<bool(Point2, double)> may_add;
   double slope = std::numeric_limits<double>::infinity();
   std::function<Zone(Point2)> zone_at;
   double smallest_angle_deg = 25;
