@@ -16,10 +16,11 @@
 #include <optional>
 
 #include "wellspaced/kernel/big_integer.hpp"
+#include "wellspaced/kernel/bit_cast.hpp"
 #include "wellspaced/kernel/fixed_integer.hpp"
 
 // As in predicate_filter.hpp.
-#ifdef __clang__
+#if defined(__clang__) && !defined(__wasm__)
 #pragma float_control(precise, on, push)
 #endif
 
@@ -121,7 +122,7 @@ template <std::size_t N>
 int largest_exponent(const std::array<double, N>& x, int least) {
   std::uint64_t largest = 0;
   for (const double value : x) {
-    const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(value) << 1;
+    const std::uint64_t magnitude = bit_cast<std::uint64_t>(value) << 1;
     largest = magnitude > largest ? magnitude : largest;
   }
   const int biased = static_cast<int>(largest >> 53);
@@ -130,12 +131,12 @@ int largest_exponent(const std::array<double, N>& x, int least) {
 
 /// 2^(biased - 1023). Requires: 1 <= biased <= 2046.
 inline double power_of_two(int biased) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(biased) << 52);
+  return bit_cast<double>(static_cast<std::uint64_t>(biased) << 52);
 }
 
 /// The bits in which two doubles differ, the sign aside, in which only zeros differ here.
 inline std::uint64_t changed_bits(double a, double b) {
-  return (std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b)) << 1;
+  return (bit_cast<std::uint64_t>(a) ^ bit_cast<std::uint64_t>(b)) << 1;
 }
 
 // Doubles to integers at one scale, the largest to just below 2^60, or 2^119. Returns false if one
@@ -253,7 +254,7 @@ struct Parts {
 };
 
 inline Parts parts(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = bit_cast<std::uint64_t>(x);
   const int biased = static_cast<int>(bits >> 52) & 0x7FF;
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   const std::uint64_t implicit = std::uint64_t{biased != 0} << 52;
@@ -313,6 +314,6 @@ inline int insphere(const std::array<double, 15>& x) { return sign<Insphere>(x);
 
 }  // namespace wellspaced::exact
 
-#ifdef __clang__
+#if defined(__clang__) && !defined(__wasm__)
 #pragma float_control(pop)
 #endif

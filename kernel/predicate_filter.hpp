@@ -28,7 +28,7 @@
 
 // clang has no macro for -funsafe-math-optimizations and -fassociative-math alone; there these
 // functions are compiled without them.
-#ifdef __clang__
+#if defined(__clang__) && !defined(__wasm__)
 #pragma float_control(precise, on, push)
 #endif
 
@@ -220,6 +220,6 @@ inline int compare_distances(Point3 p, Point3 a, Point3 b) {
 
 }  // namespace wellspaced::predicate_filter
 
-#ifdef __clang__
+#if defined(__clang__) && !defined(__wasm__)
 #pragma float_control(pop)
 #endif

@@ -1,10 +1,10 @@
 // Sorting items by 64-bit keys without comparisons.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "wellspaced/kernel/bit_cast.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
@@ -19,6 +19,6 @@ struct KeyedItem {
 void radix_sort(std::vector<KeyedItem>& items);
 
 /// A key that sorts as the number does. Requires: value >= 0 (-0 included), no NaN.
-inline std::uint64_t sort_key(double value) { return std::bit_cast<std::uint64_t>(value + 0.0); }
+inline std::uint64_t sort_key(double value) { return bit_cast<std::uint64_t>(value + 0.0); }
 
 }  // namespace wellspaced

@@ -8,12 +8,14 @@
 #include <string>
 #include <string_view>
 
+#include "wellspaced/kernel/bit_cast.hpp"
+
 namespace wellspaced {
 
 /// Appends the bytes of `value` in the order `order`.
 template <class T>
 void append_bytes(std::string& bytes, T value, std::endian order = std::endian::little) {
-  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  auto raw = bit_cast<std::array<char, sizeof(T)>>(value);
   if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
   bytes.append(raw.data(), raw.size());
 }
@@ -24,7 +26,7 @@ T read_bytes(std::string_view bytes, std::size_t offset, std::endian order = std
   std::array<char, sizeof(T)> raw;
   std::memcpy(raw.data(), bytes.data() + offset, sizeof(T));
   if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
-  return std::bit_cast<T>(raw);
+  return bit_cast<T>(raw);
 }
 
 }  // namespace wellspaced

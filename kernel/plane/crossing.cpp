@@ -1,12 +1,12 @@
 #include "wellspaced/kernel/plane/crossing.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 
+#include "wellspaced/kernel/bit_cast.hpp"
 #include "wellspaced/kernel/exact_predicates.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
@@ -110,12 +110,12 @@ SegmentRelation relate_on_one_line(Point2 a, Point2 b, Point2 c, Point2 d) {
 
 // The doubles in order, numbered; both zeros are 0.
 std::int64_t number_of(double x) {
-  const auto bits = std::bit_cast<std::int64_t>(x);
+  const auto bits = bit_cast<std::int64_t>(x);
   return bits >= 0 ? bits : -(bits & std::numeric_limits<std::int64_t>::max());
 }
 
 double numbered(std::int64_t number) {
-  return number >= 0 ? std::bit_cast<double>(number) : -std::bit_cast<double>(-number);
+  return number >= 0 ? bit_cast<double>(number) : -bit_cast<double>(-number);
 }
 
 // Steps of the search stay far from the limits of 64 bits.

@@ -16,7 +16,10 @@ namespace wellspaced {
 struct SegmentCrossing {
   std::array<Index, 2> segment;  ///< ascending
   std::array<Index, 2> piece;
-  friend auto operator<=>(const SegmentCrossing&, const SegmentCrossing&) = default;
+  friend bool operator==(const SegmentCrossing&, const SegmentCrossing&) = default;
+  friend bool operator<(const SegmentCrossing& x, const SegmentCrossing& y) {
+    return x.segment < y.segment || (x.segment == y.segment && x.piece < y.piece);
+  }
 };
 
 /// paths: for each segment the vertices on it, from its start to its end; one for a segment without
