@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/io/c/wellspaced.h"
 #include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/kernel/memory.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
@@ -53,25 +54,17 @@ wellspaced_status status_of(ErrorCode code) {
 }
 
 // Runs `operation`, which returns a Status, and turns what comes of it into a status and a message.
-// Where exceptions are compiled in, the one that the standard library throws without memory ends
-// here; otherwise the program ends by the standard library's own rule.
 template <class Operation>
-wellspaced_status run_on(wellspaced_context* context, Operation operation) {
+wellspaced_status run_on(wellspaced_context* context, const Operation& operation) {
   context->message.clear();
-#if defined(__cpp_exceptions)
-  try {
-#endif
-    const Status status = operation();
-    if (status.ok()) return WELLSPACED_OK;
-    context->message = status.error().message;
-    return status_of(status.error().code);
-#if defined(__cpp_exceptions)
-  } catch (const std::bad_alloc&) {
-    context->message.clear();
-    context->message.append("no memory");  // short enough to need none
-    return WELLSPACED_LIMIT;
-  }
-#endif
+  const Status status = within_memory([&]() -> Status {
+    Status result = operation();
+    if (!result) context->message = result.error().message;
+    return result;
+  });
+  if (status.ok()) return WELLSPACED_OK;
+  if (context->message.empty()) context->message = status.error().message;  // "out of memory"
+  return status_of(status.error().code);
 }
 
 Progress progress_of(const wellspaced_context& context) {

@@ -297,6 +297,14 @@ JsonWriter json_of(const std::vector<std::string>& paths,
   return json.end_array().end_object();
 }
 
+// The tables go where -o says, or to the terminal.
+Status publish(const std::string& tables, Session& session) {
+  if (!session.options().output.empty())
+    return session.outputs().add(session.options().output, [&](TextWriter& out) { out << tables; });
+  session.print(tables);
+  return Ok{};
+}
+
 Result<int> run(Arguments& arguments, Session& session) {
   const auto demands = read_demands(arguments);
   if (!demands) return demands.error();
@@ -304,13 +312,15 @@ Result<int> run(Arguments& arguments, Session& session) {
   if (paths.size() > 1 && !demands->vtu.empty())
     return Error{ErrorCode::kUsage, "audit: --vtu takes one input", {}};
   std::vector<audit::Report> reports;
+  std::string tables;
   for (const std::string& path : paths) {
     auto report = is_directory(path) ? audit_directory(path, *demands, session)
                                      : audit_file(path, *demands, session);
     if (!report) return report.error();
-    session.print((paths.size() > 1 ? path + "\n" : "") + audit_table(*report));
+    tables += (paths.size() > 1 ? path + "\n" : "") + audit_table(*report);
     reports.push_back(std::move(*report));
   }
+  if (Status status = publish(tables, session); !status) return status.error();
   if (Status status = session.write_json(json_of(paths, reports)); !status) return status.error();
   return all_pass(reports) ? kExitOk : kExitViolation;
 }

@@ -3,9 +3,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
-#include <new>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -35,14 +33,6 @@ extern "C" void set_interrupt_flag(int) {
 extern "C" void set_interrupt_flag(int) { interrupt_flag = 1; }
 #endif
 
-void exit_without_memory() {
-  std::fputs(
-      "wellspaced: out of memory; nothing was written; raise --max-memory or use a "
-      "smaller input\n",
-      stderr);
-  std::_Exit(5);
-}
-
 // A line "NAME:  123 kB" of /proc/self/status, in bytes.
 std::uint64_t status_bytes(const char* format) {
   std::FILE* const file = std::fopen("/proc/self/status", "r");
@@ -59,8 +49,6 @@ std::uint64_t status_bytes(const char* format) {
 
 bool interrupted() { return interrupt_flag != 0; }
 
-void report_memory_exhaustion() { std::set_new_handler(exit_without_memory); }
-
 #if WELLSPACED_POSIX
 
 void catch_interrupts() {
@@ -72,6 +60,7 @@ void catch_interrupts() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void limit_memory(std::uint64_t bytes) {

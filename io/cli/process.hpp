@@ -8,14 +8,13 @@
 namespace wellspaced::cli {
 
 /// From now on the first Ctrl-C (SIGINT) or SIGTERM only sets the flag of interrupted(); a second
-/// one kills as usual. A write to a closed pipe becomes an error.
+/// one kills as usual. A write to a closed pipe, or beyond the largest size of a file, becomes an
+/// error.
 void catch_interrupts();
 bool interrupted();
 
-/// Lets allocations fail beyond `bytes`, where the system can. Running out of memory prints one
-/// line and exits with code 5.
+/// Lets allocations fail beyond `bytes`, where the system can.
 void limit_memory(std::uint64_t bytes);
-void report_memory_exhaustion();
 
 bool standard_error_is_terminal();
 

@@ -41,13 +41,22 @@ std::string follow_links(const std::string& path) {
   return error ? path : target.string();
 }
 
-// Opens a new file beside `target`. Returns null, with errno, if none can be made.
-std::FILE* open_beside(const std::string& target, std::string& name) {
+struct CloseStream {
+  void operator()(std::FILE* stream) const { std::fclose(stream); }
+};
+using Stream = std::unique_ptr<std::FILE, CloseStream>;
+
+// Returns 0, or the errno of what failed last.
+int close_stream(Stream stream) { return std::fclose(stream.release()) == 0 ? 0 : errno; }
+
+// Opens a new file beside `target`, called `name`. Returns null, with errno, if none can be made.
+Stream open_beside(const std::string& target, std::string& name) {
   constexpr int kTries = 1000;
   for (int i = 0; i < kTries; ++i) {
-    name = target + ".part" + std::to_string(i);
-    std::FILE* const file = std::fopen(name.c_str(), "wbx");
-    if (file != nullptr || errno != EEXIST) return file;
+    std::string candidate = target + ".part" + std::to_string(i);
+    Stream file(std::fopen(candidate.c_str(), "wbx"));
+    if (file) name = std::move(candidate);
+    if (file || errno != EEXIST) return file;
   }
   return nullptr;
 }
@@ -67,10 +76,11 @@ Status write_stream(const std::string& path, std::FILE* stream, std::string_view
 
 Status write_in_place(const std::string& path, std::string_view bytes) {
   if (path == "-") return write_stream(path, stdout, bytes);
-  std::FILE* const stream = std::fopen(path.c_str(), "wb");
-  if (stream == nullptr) return cannot_create(path, describe(errno));
-  const Status status = write_stream(path, stream, bytes);
-  return std::fclose(stream) == 0 || !status.ok() ? status : cannot_write(path, errno);
+  Stream stream(std::fopen(path.c_str(), "wb"));
+  if (!stream) return cannot_create(path, describe(errno));
+  const Status status = write_stream(path, stream.get(), bytes);
+  const int close_error = close_stream(std::move(stream));
+  return close_error == 0 || !status.ok() ? status : cannot_write(path, close_error);
 }
 
 }  // namespace
@@ -98,15 +108,12 @@ Status OutputSet::stage(Output& output, const std::function<void(TextWriter&)>& 
     output.text = writer.text();
     return Ok{};
   }
-  std::FILE* const stream = open_beside(output.target, output.temporary);
-  if (stream == nullptr) {
-    output.temporary.clear();
-    return cannot_create(output.path, describe(errno));
-  }
-  TextWriter writer(stream);
+  Stream stream = open_beside(output.target, output.temporary);
+  if (!stream) return cannot_create(output.path, describe(errno));
+  TextWriter writer(stream.get());
   write(writer);
   writer.flush();
-  const int close_error = std::fclose(stream) == 0 ? 0 : errno;
+  const int close_error = close_stream(std::move(stream));
   const int failure = writer.failed() ? writer.error() : close_error;
   if (failure != 0) return cannot_write(output.path, failure);
   keep_permissions(output.target, output.temporary);
@@ -119,8 +126,10 @@ Status OutputSet::make_directory(const std::string& path) {
   for (fs::path p = path; !p.empty() && !fs::exists(p, error); p = p.parent_path())
     missing.push_back(p.string());
   std::reverse(missing.begin(), missing.end());
-  for (const std::string& directory : missing)
-    if (fs::create_directory(directory, error)) new_directories_.push_back(directory);
+  for (const std::string& directory : missing) {
+    new_directories_.push_back(directory);
+    if (!fs::create_directory(directory, error)) new_directories_.pop_back();
+  }
   if (fs::is_directory(path, error)) return Ok{};
   return cannot_create(path, error ? error.message() : "it is no directory");
 }
@@ -137,9 +146,8 @@ Status OutputSet::commit() {
   }
   for (const auto& output : outputs_) {
     if (output->temporary.empty()) continue;
-    std::error_code error;
-    fs::rename(output->temporary, output->target, error);
-    if (error) return cannot_create(output->path, error.message());
+    if (std::rename(output->temporary.c_str(), output->target.c_str()) != 0)
+      return cannot_create(output->path, describe(errno));
     output->temporary.clear();
   }
   outputs_.clear();
@@ -147,13 +155,13 @@ Status OutputSet::commit() {
   return Ok{};
 }
 
+// std::remove() and std::rename() need no memory: this works when it has run out.
 void OutputSet::discard() {
-  std::error_code error;
   for (const auto& output : outputs_)
-    if (!output->temporary.empty()) fs::remove(output->temporary, error);
+    if (!output->temporary.empty()) std::remove(output->temporary.c_str());
   for (auto directory = new_directories_.rbegin(); directory != new_directories_.rend();
        ++directory)
-    fs::remove(*directory, error);  // fails, as it should, where somebody else put a file
+    std::remove(directory->c_str());  // fails, as it should, where somebody else put a file
 }
 
 }  // namespace wellspaced

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -44,6 +45,19 @@ inline ProgramRun wait_for_program(const TemporaryDirectory& directory, pid_t ch
   waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_bytes(directory / "out"),
           read_bytes(directory / "err")};
+}
+
+/// Runs the program where no file may grow beyond `bytes`, as on a disk that fills up.
+inline ProgramRun run_program_on_full_disk(const std::vector<std::string>& words,
+                                           std::uint64_t bytes) {
+  const TemporaryDirectory directory;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit limit{bytes, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  const pid_t child = start_program(directory, words, "/dev/null");  // inherits the limit
+  setrlimit(RLIMIT_FSIZE, &before);
+  return wait_for_program(directory, child);
 }
 
 /// Runs the program to its end, with `input` on its standard input.
