@@ -1,6 +1,7 @@
 """Files of other programs are read, and ours by them: formats_test.py PROGRAM FOLDER.
 
-meshio, gmsh and TetGen are used where they are installed; exit code 77: none of them is.
+meshio, gmsh and TetGen are used where they are installed; exit code 77: none of them is. With
+WELLSPACED_REQUIRE_PEERS in the environment all of them must be.
 """
 import os
 import shutil
@@ -19,6 +20,8 @@ gmsh, tetgen = shutil.which("gmsh"), shutil.which("tetgen")
 if meshio is None and gmsh is None and tetgen is None:
     print("skipped: neither meshio nor gmsh nor tetgen is installed")
     sys.exit(77)
+if "WELLSPACED_REQUIRE_PEERS" in os.environ and None in (meshio, gmsh, tetgen):
+    sys.exit("apt install python3-meshio gmsh tetgen")
 os.makedirs(folder, exist_ok=True)
 os.chdir(folder)
 
