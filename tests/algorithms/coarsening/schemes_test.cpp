@@ -16,6 +16,7 @@
 #include "wellspaced/algorithms/spacing/graph_spacing.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/algorithms/spacing/nearest_neighbor.hpp"
+#include "wellspaced/algorithms/spacing/spacing_function.hpp"
 #include "wellspaced/kernel/distance.hpp"
 
 namespace wellspaced {
@@ -190,6 +191,30 @@ TEST(Schemes, TakeASpacingOfTheUsers) {
   spacing[5] = 0;
   EXPECT_EQ(coarsen(mesh, {.spacing = spacing}).error().ids, std::vector<Index>{5});
   EXPECT_EQ(coarsen(mesh, {.spacing = std::vector<double>(3, 1)}).error().code, ErrorCode::kUsage);
+}
+
+// A function of the place takes the place of the mesh's own spacing, whatever it is then coarsened
+// by.
+TEST(Schemes, CoarsenAFunctionOfTheUsersByEveryMethodAndMetric) {
+  const TriangleMesh mesh = test::grid_mesh({.nx = 24, .ny = 24, .seed = 8});
+  const SpacingFunction g = [](Point2 p) { return 0.3 + 0.05 * p.x; };
+  std::vector<CoarseningOptions> all = all_options();
+  all.push_back(theorem_options(CoarseningMethod::kQuadtree));
+  for (CoarseningOptions options : all) {
+    SCOPED_TRACE(describe(options));
+    const auto own = coarsen(mesh, options);
+    options.spacing = sampled(g, mesh.points);
+    const auto hierarchy = coarsen(mesh, options);
+    ASSERT_TRUE(hierarchy.ok()) << hierarchy.error().message;
+    ASSERT_GT(hierarchy->levels.size(), 1u);
+    EXPECT_EQ(hierarchy->levels[0].spacing, *options.spacing);
+    EXPECT_NE(hierarchy->levels[1].origin, own->levels[1].origin);
+    expect_valid(*hierarchy, options);
+    if (options.method == CoarseningMethod::kQuasiUniform) continue;  // asks for its least alone
+    const auto& points = hierarchy->levels[1].mesh.points;
+    const auto left = std::ranges::count_if(points, [](Point2 p) { return p.x < 12; });
+    EXPECT_GT(left, static_cast<std::ptrdiff_t>(points.size()) - left);
+  }
 }
 
 TEST(Schemes, ConsiderNodesByPriority) {
