@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
+#include "wellspaced/algorithms/audit/open_facets.hpp"
 #include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/sort_unique.hpp"
@@ -300,6 +301,9 @@ class FacetCover {
   std::map<Index, Index> piece_of_;
 };
 
+// A mesh that misses more facets than this fails whatever the reason.
+constexpr std::size_t kMissingJudged = 1000;
+
 class DomainAudit {
  public:
   DomainAudit(const TetMesh& mesh, const TetFaces& faces, const SolidToMeet& given)
@@ -357,8 +361,13 @@ class DomainAudit {
 
   void audit_facets(Report& report) {
     Check& check = report.add_check("domain_facets_are_faces", Item::kFacet, true);
+    std::vector<Index> missing;
     for (Index i = 0; i < domain_.facets.size(); ++i)
-      if (!is_union_of_faces(domain_.facets[i])) check.violate({i});
+      if (!is_union_of_faces(domain_.facets[i])) missing.push_back(i);
+    if (missing.empty()) return;
+    const OpenFacets open(domain_);
+    for (std::size_t k = 0; k < missing.size(); ++k)
+      if (k >= kMissingJudged || !open.is_open(missing[k])) check.violate({missing[k]});
   }
 
   bool is_union_of_faces(const FacetPolygons& facet) {

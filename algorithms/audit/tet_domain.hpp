@@ -18,7 +18,8 @@ struct SolidToMeet {
 ///   domain_points_are_nodes    at every point of the domain there is a node
 ///   domain_segments_are_edges  every segment and every edge of a polygon is a chain of mesh edges;
 ///                              ids count the segments, then the polygons' edges in order
-///   domain_facets_are_faces    every facet is a union of mesh faces
+///   domain_facets_are_faces    every facet is a union of mesh faces, but for those that
+///                              open_facets.hpp finds to have nothing to be meshed on either side
 ///   boundary_on_domain         every face with a tet on one side only is part of such a union; not
 ///                              judged for a domain without facets
 ///   holes_are_open             no tet contains a hole point, inside or on its boundary; only for a

@@ -61,7 +61,7 @@ TEST(AuditOfTetGen, FindsItsQualityMeshesOfTheDomainsSoundAndConforming) {
   if (std::string(WELLSPACED_TETGEN).empty()) GTEST_SKIP() << "no tetgen";
   const TemporaryDirectory directory;
   for (const std::string file : {"cgal_cube.smesh", "cgal_cross.smesh", "cgal_corner.smesh",
-                                 "cgal_beam.smesh", "cgal_pipe.smesh"}) {
+                                 "cgal_beam.smesh", "cgal_pipe.smesh", "tetgen_example.poly"}) {
     WELLSPACED_REQUIRE_DATA("domains3d/" + file);
     std::ifstream in(test::data_path("domains3d/" + file), std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(in), {});

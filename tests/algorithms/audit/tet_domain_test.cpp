@@ -45,6 +45,38 @@ TEST(PolyhedralDomain, IsMetByABox) {
   EXPECT_EQ(report.measure("facet_allowance")->value, 2);
 }
 
+// A block from one face of which a cavity opens; a facet closes the mouth.
+PolyhedralDomain block_with_open_cavity() {
+  PolyhedralDomain domain;
+  add_box(domain, {0, 0, 0}, {3, 3, 3});
+  add_box(domain, {1, 1, 1}, {2, 2, 3});
+  domain.facets[1].push_back(domain.facets[7][0]);  // the mouth is a hole of the face above
+  domain.holes = {{1.5, 1.5, 2}};
+  return domain;
+}
+
+TEST(PolyhedralDomain, NeedsNoFacesWhereAHoleOpensToTheOutside) {
+  const auto solid = [](Index x, Index y, Index z) { return !(x == 1 && y == 1 && z >= 1); };
+  EXPECT_TRUE(audit_against(test::cubes(3, 3, 3, solid), block_with_open_cavity()).pass());
+}
+
+TEST(PolyhedralDomain, NeedsFacesAroundAHollowThatIsNoHole) {
+  const auto solid = [](Index x, Index y, Index z) { return !(x == 1 && y == 1 && z >= 1); };
+  PolyhedralDomain domain = block_with_open_cavity();
+  domain.holes.clear();
+  const auto report = audit_against(test::cubes(3, 3, 3, solid), domain);
+  EXPECT_EQ(report.check("domain_facets_are_faces")->violations, 1u);  // the mouth
+}
+
+TEST(PolyhedralDomain, NeedsFacesOnAWallBetweenAHoleAndTheSolid) {
+  const auto solid = [](Index x, Index y, Index z) { return !(x == 1 && y == 1 && z >= 1); };
+  PolyhedralDomain domain = block_with_open_cavity();
+  add_box(domain, {0, 0, 3}, {3, 3, 4});  // a second block on top, not meshed
+  domain.facets.erase(domain.facets.begin() + 12);
+  const auto report = audit_against(test::cubes(3, 3, 3, solid), domain);
+  EXPECT_GE(report.check("domain_facets_are_faces")->violations, 5u);
+}
+
 TEST(PolyhedralDomain, IsMetByABoxWithACavity) {
   PolyhedralDomain domain;
   add_box(domain, {0, 0, 0}, {5, 5, 5});
