@@ -16,19 +16,21 @@ class DelaunayAudit {
 
   void audit_circumcircles(Report& report) const {
     Check constrained = check("constrained_delaunay"), all = check("delaunay");
-    for (Index h = 0; h < half_edges_.twin.size(); ++h) {
-      if (!is_interior(h) || half_edges_.twin[h] < h || !fails(h)) continue;
-      all.violate({from(h), to(h)});
-      if (half_edges_.constrained[h] == 0) constrained.violate({from(h), to(h)});
-    }
+    for (Index t = 0; t < mesh_.triangles.size(); ++t)
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+        if (!apex_beyond_is_inside(t, h)) continue;
+        all.violate({from(h), to(h)});
+        if (half_edges_.constrained[h] == 0) constrained.violate({from(h), to(h)});
+      }
     report.checks.push_back(std::move(constrained));
     report.checks.push_back(std::move(all));
   }
 
   void audit_diametral_circles(Report& report) const {
     Check all = check("gabriel"), boundary = check("boundary_gabriel");
-    for (Index h = 0; h < half_edges_.twin.size(); ++h) {
-      if (obtuse_edge_[h / 3] != h % 3 || counted_from_twin(h)) continue;
+    for (Index t = 0; t < mesh_.triangles.size(); ++t) {
+      const Index h = 3 * t + obtuse_edge_[t];
+      if (obtuse_edge_[t] == kNone || counted_from_twin(h)) continue;
       all.violate({from(h), to(h)});
       if (half_edges_.twin[h] == kNoIndex || half_edges_.constrained[h] != 0)
         boundary.violate({from(h), to(h)});
@@ -68,13 +70,14 @@ class DelaunayAudit {
   Point2 to_point(Index h) const { return mesh_.points[to(h)]; }
   Point2 apex_point(Index h) const { return mesh_.points[apex(mesh_.triangles, h)]; }
 
-  bool is_interior(Index h) const {
+  // Whether the circumcircle of t contains the apex of the triangle beyond its half-edge h; each
+  // edge is asked from its lower half-edge alone.
+  bool apex_beyond_is_inside(Index t, Index h) const {
     const Index twin = half_edges_.twin[h];
-    return twin != kNoIndex && orientation_[h / 3] > 0 && orientation_[twin / 3] > 0;
-  }
-
-  bool fails(Index h) const {
-    return incircle(from_point(h), to_point(h), apex_point(h), apex_point(half_edges_.twin[h])) > 0;
+    if (twin == kNoIndex || twin < h) return false;
+    if (orientation_[t] <= 0 || orientation_[twin / 3] <= 0) return false;
+    const auto& [a, b, c] = mesh_.triangles[t];
+    return incircle(mesh_.points[a], mesh_.points[b], mesh_.points[c], apex_point(twin)) > 0;
   }
 
   // Both triangles on an edge may see it under an obtuse angle; it is one violation.

@@ -42,7 +42,7 @@ class EdgeLists {
 
   template <class Visit>
   static void visit_sorted(Index a, Index b, Index item, Visit& visit) {
-    a < b ? visit(a, b, item) : visit(b, a, item);
+    visit(std::min(a, b), std::max(a, b), item);
   }
 
   std::vector<Index> first_;
