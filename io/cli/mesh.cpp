@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/packing/background_size.hpp"
 #include "wellspaced/algorithms/packing/pack_domain.hpp"
 #include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/cli/mesh_space.hpp"
 #include "wellspaced/io/cli/stopwatch.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
@@ -20,11 +21,15 @@ namespace wellspaced::cli {
 namespace {
 
 constexpr std::array kMeshOptions = {
-    Option{"--beta", "X", "balls have the radius lfs / X, at least 2 (default 2)"},
+    Option{
+        "--beta", "X",
+        "balls have the radius lfs / X, at least 2 (default 2; in space more than 3, default 10)"},
     Option{"--size", "H|FILE",
            "nodes no further apart than about H; FILE: points with sizes as their attribute"},
     Option{"--angle", "DEG", "cut triangles with a smaller angle (0 to 34, default 25)"},
-    Option{"--radius-edge", "RHO", "the same as a bound on circumradius / shortest edge"},
+    Option{"--radius-edge", "RHO",
+           "the same as a bound on circumradius / shortest edge; in space the least --beta that "
+           "proves it (more than 2)"},
     Option{"--maximal", "delaunay|full",
            "until no circumcentre fits (default), or no point at all"},
     Option{"--max-points", "N", "stop there, with a valid mesh and exit code 5"},
@@ -33,6 +38,8 @@ constexpr std::array kMeshOptions = {
            "which regions belong to the domain: parity, seeds, none, outer "
            "(default: seeds if the file lists any, else parity)"},
     Option{"--intersections", "RULE", "crossing segments: refuse (default) or split"},
+    Option{"--flatness", "X",
+           "in space: how far from planes and right angles counts as on them (default 1e-6)"},
     Option{"--spacing", "FILE", "write the spacing function at the nodes, one value a line"},
 };
 
@@ -196,9 +203,9 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   const auto input =
       read_geometry(path, {.siblings = Siblings::kIgnored, .largest = session.largest_input()});
   if (!input) return input.error();
-  if (input->dimension != 2)
-    return Error{ErrorCode::kUsage, display_name(path) + ": mesh takes domains in the plane", {}};
   run.read = reading.elapsed();
+  if (input->dimension == 3) return mesh_in_space(path, *input, run.read, arguments, session);
+  if (arguments.has("--flatness")) arguments.refuse("--flatness", "is for domains in space");
   run.options = read_packing_options(arguments, *input);
   if (Status status = arguments.status(); !status)
     return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};
@@ -230,12 +237,13 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
 }  // namespace
 
 extern const Command kMesh;
-const Command kMesh = {.name = "mesh",
-                       .operands = "DOMAIN",
-                       .summary = "make a well-spaced conforming mesh of a domain in the plane",
-                       .least_operands = 1,
-                       .most_operands = 1,
-                       .options = kMeshOptions,
-                       .run = run_mesh};
+const Command kMesh = {
+    .name = "mesh",
+    .operands = "DOMAIN",
+    .summary = "make a well-spaced conforming mesh of a domain, in the plane or in space",
+    .least_operands = 1,
+    .most_operands = 1,
+    .options = kMeshOptions,
+    .run = run_mesh};
 
 }  // namespace wellspaced::cli

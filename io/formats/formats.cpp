@@ -353,6 +353,14 @@ Geometry to_geometry(TriangleMesh mesh, Index index_base) {
   return geometry;
 }
 
+Geometry to_geometry(TetMesh mesh, Index index_base) {
+  Geometry geometry;
+  geometry.dimension = 3;
+  geometry.solid = std::move(mesh);
+  geometry.index_base = index_base;
+  return geometry;
+}
+
 bool writes_triangle_files(const std::string& path, const std::string& format_name) {
   if (path == "-") return false;
   if (!format_name.empty()) return format_name == "triangle" || format_name == "poly";

@@ -74,5 +74,6 @@ bool writes_triangle_files(const std::string& path, const std::string& format);
 Geometry to_geometry(Pls domain, Index index_base = 0);
 /// A mesh as a geometry, to be written with the given index base.
 Geometry to_geometry(TriangleMesh mesh, Index index_base = 0);
+Geometry to_geometry(TetMesh mesh, Index index_base = 0);
 
 }  // namespace wellspaced

@@ -59,9 +59,11 @@ PackedTets finish_tets(const Pls& domain, const PolyhedralComplex& complex,
   }
   for (const Index k : solids.pieces) {
     const auto& [a, b] = surface.pieces[k];
-    const Segment& segment = complex.segments[item_at(surface.first_piece, k)];
+    packed.segment_of.push_back(item_at(surface.first_piece, k));
+    const Segment& segment = complex.segments[packed.segment_of.back()];
     packed.mesh.segments.push_back({node(a), node(b), segment.marker});
   }
+  packed.domain_segments = complex.segments;
   packed.segment_points = surface.segment_points;
   packed.facet_points = surface.facet_points;
   packed.balls_packed = solids.balls_packed;

@@ -43,6 +43,8 @@ std::optional<double> beta_for_radius_edge(double rho);
 ///   edges of its facets are cut into, with the markers of segments.
 /// domain_point: for each node, which point of the domain it is; kNoIndex for new ones.
 /// facet_of: for each mesh facet the facet of the domain, the lowest of those that were merged.
+/// domain_segments: the segments of the domain and the edges of its facets, each once, by points of
+///   the domain, ascending. segment_of: for each mesh segment which of them.
 /// region_of: for each tet the domain's region in whose solid it is; kNoIndex: none.
 /// radius: for each node that of its ball.
 /// is_complete, was_cancelled: false and true where max_points or the progress callback put an end
@@ -50,7 +52,8 @@ std::optional<double> beta_for_radius_edge(double rho);
 /// notes: what a user should know of the domain, one line each.
 struct PackedTets {
   TetMesh mesh;
-  std::vector<Index> domain_point, facet_of, region_of;
+  std::vector<Index> domain_point, facet_of, segment_of, region_of;
+  std::vector<Segment> domain_segments;
   std::vector<double> radius;
   std::size_t segment_points = 0, facet_points = 0, balls_packed = 0;
   bool is_complete = true, was_cancelled = false;

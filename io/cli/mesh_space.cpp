@@ -1,0 +1,197 @@
+#include "wellspaced/io/cli/mesh_space.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "wellspaced/algorithms/audit/tet_shape.hpp"
+#include "wellspaced/algorithms/packing/space/pack_domain3.hpp"
+#include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/io/formats/triangle_files.hpp"
+#include "wellspaced/io/report/table_text.hpp"
+
+namespace wellspaced::cli {
+namespace {
+
+// ---- Options -------------------------------------------------------------------------------
+
+double beta_of(Arguments& arguments) {
+  constexpr double kMostBeta = 1000;
+  if (!arguments.has("--radius-edge"))
+    return arguments.number("--beta", PackingOptions3{}.beta, {3, kMostBeta, false});
+  if (arguments.has("--beta")) arguments.refuse("--radius-edge", "excludes --beta");
+  const double rho = arguments.number("--radius-edge", 3, more_than(2));
+  return beta_for_radius_edge(rho).value_or(kMostBeta);
+}
+
+PackingOptions3 read_options(Arguments& arguments) {
+  constexpr double kMostPoints = 1 << 28, kLargestFlatness = 0.001;
+  for (const char* name : {"--angle", "--allow-small-angles", "--holes", "--intersections"})
+    if (arguments.has(name)) arguments.refuse(name, "is for domains in the plane");
+  if (arguments.choice("--maximal", 0, {"delaunay", "full"}) == 1)
+    arguments.refuse("--maximal", "can be full only in the plane");
+  PackingOptions3 options;
+  options.beta = beta_of(arguments);
+  options.flatness = arguments.number("--flatness", options.flatness, between(0, kLargestFlatness));
+  options.max_points =
+      static_cast<std::size_t>(arguments.integer("--max-points", 1 << 26, between(1, kMostPoints)));
+  if (arguments.has("--size")) {
+    const double size = arguments.number("--size", 1, more_than(0));
+    options.size = [size](Point3) { return size; };
+  }
+  return options;
+}
+
+// ---- What came out -------------------------------------------------------------------------
+
+struct ShapeSummary {
+  double radius_edge = 0;      // the worst
+  std::vector<Index> slivers;  // tets
+};
+
+ShapeSummary shape_summary(const TetMesh& mesh) {
+  ShapeSummary summary;
+  for (Index t = 0; t < mesh.tets.size(); ++t) {
+    std::array<Point3, 4> corners;
+    for (unsigned i = 0; i < 4; ++i) corners[i] = mesh.points[mesh.tets[t][i]];
+    summary.radius_edge = std::max(summary.radius_edge, audit::tet_shape(corners).radius_edge);
+    if (audit::classify_tet(corners) == audit::TetClass::kSliver) summary.slivers.push_back(t);
+  }
+  return summary;
+}
+
+// Where the input has no markers, facets and segments get the numbers that trace them: a facet that
+// in the input, a segment that in the list of the domain's edges.
+void number_unmarked(PackedTets& packed) {
+  TetMesh& mesh = packed.mesh;
+  const auto is_marked = [](const auto& item) { return item.marker != 0; };
+  if (std::none_of(mesh.facets.begin(), mesh.facets.end(), is_marked))
+    for (std::size_t k = 0; k < mesh.facets.size(); ++k)
+      mesh.facets[k].marker = static_cast<int>(packed.facet_of[k] + 1);
+  if (std::none_of(mesh.segments.begin(), mesh.segments.end(), is_marked))
+    for (std::size_t k = 0; k < mesh.segments.size(); ++k)
+      mesh.segments[k].marker = static_cast<int>(packed.segment_of[k] + 1);
+}
+
+Geometry packed_solid(PackedTets& packed, const Geometry& input) {
+  number_unmarked(packed);
+  Geometry geometry = to_geometry(packed.mesh, input.index_base);
+  if (input.volume_regions.empty()) return geometry;
+  geometry.cell_attributes.columns = 1;
+  for (const Index region : packed.region_of)
+    geometry.cell_attributes.values.push_back(
+        region == kNoIndex ? 0 : input.volume_regions[region].attribute);
+  return geometry;
+}
+
+Status write_files(PackedTets& packed, const Geometry& input, double beta,
+                   const Arguments& arguments, Session& session) {
+  const CommonOptions& common = session.options();
+  if (const auto path = arguments.value("--spacing")) {
+    const Status added = session.outputs().add(*path, [&](TextWriter& out) {
+      for (const double radius : packed.radius) out << beta * radius << '\n';
+    });
+    if (!added) return added.error();
+  }
+  if (common.output.empty()) return Ok{};
+  const Geometry geometry = packed_solid(packed, input);
+  if (writes_triangle_files(common.output, common.format))
+    return write_triangle_set(session.outputs(), common.output, geometry, EmptyFiles::kWrite);
+  return write_geometry(session.outputs(), common.output, common.format, geometry);
+}
+
+struct Times {
+  PhaseTime read, mesh, write;
+  std::uint64_t peak_bytes = 0;
+};
+
+void input_fields(JsonWriter& json, const Geometry& input) {
+  json.key("input").begin_object();
+  json.field("points", input.solid.points.size());
+  json.field("facets", input.polygons.size() + input.solid.facets.size());
+  json.field("segments", input.solid.segments.size()).end_object();
+}
+
+JsonWriter space_json(const PackedTets& packed, const Geometry& input, double beta,
+                      const ShapeSummary& shape, const Times& times) {
+  JsonWriter json;
+  json.begin_object();
+  input_fields(json, input);
+  json.field("complete", packed.is_complete);
+  json.field("nodes", packed.mesh.points.size()).field("tets", packed.mesh.tets.size());
+  json.field("boundary_faces", packed.mesh.facets.size());
+  json.field("boundary_edges", packed.mesh.segments.size());
+  json.field("segment_points", packed.segment_points);
+  json.field("facet_points", packed.facet_points).field("balls_packed", packed.balls_packed);
+  json.field("beta", beta).key("radius_edge").begin_object().field("max", shape.radius_edge);
+  json.key("bound");
+  if (const auto bound = radius_edge_bound(beta)) {
+    json.value(*bound);
+  } else {
+    json.null();
+  }
+  json.end_object().key("slivers").begin_array();
+  for (const Index t : shape.slivers) json.value(t + input.index_base);
+  json.end_array().key("edges").begin_array();
+  for (const Segment& s : packed.domain_segments) {
+    json.begin_array().value(s.a + input.index_base).value(s.b + input.index_base);
+    json.end_array();
+  }
+  json.end_array().key("seconds").begin_object();
+  json.field("read", times.read.wall).field("mesh", times.mesh.wall);
+  json.field("write", times.write.wall).end_object();
+  json.field("peak_bytes", times.peak_bytes).end_object();
+  return json;
+}
+
+std::string space_text(const PackedTets& packed, double beta, const ShapeSummary& shape) {
+  std::string text = std::to_string(packed.mesh.points.size()) + " nodes, " +
+                     std::to_string(packed.mesh.tets.size()) + " tets, " +
+                     std::to_string(packed.mesh.facets.size()) + " boundary faces\n" +
+                     "circumradius / shortest edge at most " + decimal(shape.radius_edge);
+  if (const auto bound = radius_edge_bound(beta)) text += " (proven: " + decimal(*bound) + ")";
+  text += '\n';
+  if (!shape.slivers.empty())
+    text += std::to_string(shape.slivers.size()) +
+            " tets are slivers, which such a bound permits (--json lists them)\n";
+  return text;
+}
+
+}  // namespace
+
+Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseTime reading,
+                          Arguments& arguments, Session& session) {
+  PackingOptions3 options = read_options(arguments);
+  if (Status status = arguments.status(); !status)
+    return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};
+  options.progress = session.progress();
+  Times times;
+  times.read = reading;
+
+  const MemoryGauge memory;
+  const Stopwatch meshing;
+  auto packed = pack_domain3(to_pls(input), options);
+  if (!packed) return in_file(packed.error(), path);
+  times.mesh = meshing.elapsed();
+  times.peak_bytes = memory.peak();
+  if (packed->was_cancelled && session.stopped() == StopReason::kInterrupted)
+    return Error{ErrorCode::kCancelled, "cancelled", {}};
+  for (const std::string& note : packed->notes) session.note(display_name(path) + ": " + note);
+
+  const Stopwatch writing;
+  const Status written = write_files(*packed, input, options.beta, arguments, session);
+  if (!written) return written.error();
+  times.write = writing.elapsed();
+  const ShapeSummary shape = shape_summary(packed->mesh);
+  if (Status status = session.write_json(space_json(*packed, input, options.beta, shape, times));
+      !status)
+    return status.error();
+  session.print(space_text(*packed, options.beta, shape));
+  if (packed->is_complete) return kExitOk;
+  session.note("stopped before the end: the mesh conforms, but is not as fine as asked for");
+  return kExitLimit;
+}
+
+}  // namespace wellspaced::cli

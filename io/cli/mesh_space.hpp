@@ -1,0 +1,19 @@
+// The command mesh for domains in space.
+#pragma once
+
+#include <string>
+
+#include "wellspaced/io/cli/arguments.hpp"
+#include "wellspaced/io/cli/session.hpp"
+#include "wellspaced/io/cli/stopwatch.hpp"
+#include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/kernel/result.hpp"
+
+namespace wellspaced::cli {
+
+/// Meshes `input`, read from `path` in the time `reading`. Returns the exit code.
+/// Errors: kUsage for options that are for the plane only; those of pack_domain3.
+Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseTime reading,
+                          Arguments& arguments, Session& session);
+
+}  // namespace wellspaced::cli
