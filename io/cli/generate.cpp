@@ -4,6 +4,7 @@
 
 #include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
+#include "wellspaced/algorithms/generate/low_discrepancy.hpp"
 #include "wellspaced/algorithms/generate/mis_degradation.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
 #include "wellspaced/algorithms/generate/points3.hpp"
@@ -185,7 +186,7 @@ Result<Geometry> make_spiral(const Request& request) {
 constexpr std::string_view kGraded = " --nodes --grading --boundary ";
 constexpr std::string_view kPoints = " --nodes --shuffle ";
 
-constexpr std::array<Kind, 20> kKinds = {{
+constexpr std::array<Kind, 22> kKinds = {{
     {"grid", " --nx --ny --aspect --diagonals ", make_grid},
     {"crack", kGraded, make_graded<GradedDomain::kCrack>},
     {"annulus", kGraded, make_graded<GradedDomain::kAnnulus>},
@@ -215,6 +216,12 @@ constexpr std::array<Kind, 20> kKinds = {{
      [](const Request& r) {
        return make_points(r, [n = r.nodes()] { return collinear_points_and_one(n - 1); });
      }},
+    {"hammersley", kPoints,
+     [](const Request& r) {
+       return make_points(r, [n = r.nodes()] { return hammersley_points(n); });
+     }},
+    {"halton", kPoints,
+     [](const Request& r) { return make_points(r, [n = r.nodes()] { return halton_points(n); }); }},
     {"copies", kPoints,  // of 10 points
      [](const Request& r) {
        return make_points(r, [n = r.nodes(), &r] { return repeated_points(n, 10, r.seed()); });
@@ -309,7 +316,8 @@ const Command kGenerate = {
         "make a test mesh (grid, crack, annulus, airfoil, degradation, wellspaced) or point set "
         "(random, "
         "clusters, "
-        "circle, spiral, lattice, parabola, collinear, copies; in space box3, lattice3, sphere3, "
+        "circle, spiral, lattice, parabola, collinear, hammersley, halton, copies; in space box3, "
+        "lattice3, sphere3, "
         "moment3, lines3, helix3)",
     .least_operands = 1,
     .most_operands = 1,

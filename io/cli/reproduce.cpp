@@ -8,6 +8,7 @@
 
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/reproduce/chapter.hpp"
+#include "wellspaced/io/reproduce/chapter_page.hpp"
 #include "wellspaced/io/reproduce/exhibit_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 
@@ -56,7 +57,7 @@ Result<std::vector<Exhibit>> make_exhibits(std::span<const ExhibitKind* const> k
                                            Laboratory& laboratory, Session& session) {
   std::vector<Exhibit> exhibits;
   for (const ExhibitKind* kind : kinds) {
-    auto exhibit = kind->make(*kind, laboratory);
+    auto exhibit = make_exhibit(*kind, laboratory);
     if (!exhibit) return exhibit.error();
     if (Status status = publish(*exhibit, session.options().output); !status) return status.error();
     session.print(exhibit_text(*exhibit));
@@ -73,6 +74,27 @@ Status write_summary(std::span<const Exhibit> exhibits, Session& session) {
   return session.write_json(json);
 }
 
+ChapterPage page_of(std::span<const Exhibit> exhibits, const LaboratoryOptions& options) {
+  ChapterPage page{{}, exhibits};
+  page.parameters = {
+      {"program", "wellspaced " + options.version},
+      {"runs", std::to_string(options.runs) + " where the thesis made 30; in proportion elsewhere"},
+      {"first seed", std::to_string(options.seed)},
+      {"meshes", options.data.empty() ? "stand-ins made by wellspaced generate"
+                                      : "the original ones, as far as they survive"},
+      {"grids", shortest(options.scale) + " of 1000 nodes a side"}};
+  return page;
+}
+
+// The page of all exhibits, beside their files.
+Status write_page(std::span<const Exhibit> exhibits, const LaboratoryOptions& options) {
+  OutputSet outputs;
+  const std::string html = chapter_html(page_of(exhibits, options));
+  const Status added =
+      outputs.add(options.directory + "/index.html", [&](TextWriter& out) { out << html; });
+  return added ? outputs.commit() : added;
+}
+
 Result<int> run(Arguments& arguments, Session& session) {
   const std::string& what = arguments.operands()[0];
   Laboratory laboratory(read_options(arguments, session));
@@ -85,8 +107,15 @@ Result<int> run(Arguments& arguments, Session& session) {
                  {}};
   if (session.options().output == "-")
     return Error{ErrorCode::kUsage, "reproduce: -o names a directory, not the standard output", {}};
+  if (what == "all" && session.options().output.empty())
+    return Error{ErrorCode::kUsage, "reproduce: name a directory for all of it with -o", {}};
+  if (!laboratory.options().directory.empty())
+    session.say_what_stays("what was complete stays in " + session.options().output +
+                           ", and is not run again");
   const auto exhibits = make_exhibits(kinds, laboratory, session);
   if (!exhibits) return exhibits.error();
+  if (what == "all")
+    if (Status status = write_page(*exhibits, laboratory.options()); !status) return status.error();
   if (Status status = write_summary(*exhibits, session); !status) return status.error();
   return kExitOk;
 }

@@ -112,7 +112,7 @@ Status Session::finish() {
 
 Error Session::explain(Error error) const {
   const std::string in_phase = phase_.empty() ? "" : " while it did: " + phase_;
-  const std::string outcome = in_phase + "; nothing was written";
+  const std::string outcome = in_phase + "; " + outcome_;
   if (interrupted()) return {ErrorCode::kCancelled, "interrupted" + outcome, {}};
   if (error.code != ErrorCode::kCancelled || !stopped_) return error;
   const bool time = *stopped_ == StopReason::kTimeLimit;

@@ -59,6 +59,9 @@ class Session {
   /// Tells the user something in passing, on the standard error: unless --quiet.
   void note(std::string_view text);
 
+  /// From now on says this of a command that is cut off, in place of "nothing was written".
+  void say_what_stays(std::string outcome) { outcome_ = std::move(outcome); }
+
   /// Publishes the outputs, then the report. Refuses after Ctrl-C.
   Status finish();
   /// `error` as the user should see it: a cancelled operation names the limit.
@@ -74,6 +77,7 @@ class Session {
   CommonOptions options_;
   OutputSet outputs_;
   std::string report_;
+  std::string outcome_ = "nothing was written";
   Clock::time_point start_;
   Clock::time_point last_drawn_;
   bool draws_ = false;

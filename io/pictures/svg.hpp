@@ -1,6 +1,7 @@
 // SVG pictures of meshes: small files, crisp lines.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -13,6 +14,8 @@ struct PictureOptions {
   double width = 800;         ///< of a mesh, in pixels; its height follows from the mesh
   double line_width = 0.6;    ///< of mesh edges, in pixels, however far one zooms in
   double border_width = 1.6;  ///< of segments
+  double zoom = 1;            ///< more than 1: a part only, so many times larger; not for panels
+  std::optional<Point2> centre = {};  ///< of that part; default: the densest place, the median
 };
 
 /// Draws the edges of `mesh`, its segments on top and, without either, its points.
@@ -20,6 +23,12 @@ struct PictureOptions {
 /// edges make one path of long pen strokes: about 5 bytes an edge.
 /// Requires: finite coordinates. Cost: O(n log n).
 void write_mesh_svg(TextWriter& out, const TriangleMesh& mesh, const PictureOptions& options = {});
+
+/// Draws a disk of its radius around each point, over the edges and segments of `mesh`.
+/// radii: one a point, >= 0; those of radius 0 are dots.
+/// Requires: finite coordinates. Cost: O(n log n).
+void write_disks_svg(TextWriter& out, const TriangleMesh& mesh, std::span<const double> radii,
+                     const PictureOptions& options = {});
 
 /// One mesh of a sequence, and what is written under its picture.
 struct Panel {

@@ -39,5 +39,6 @@ namespace wellspaced {
 ")
 embed(kReportHtml report.html)
 embed(kReportCss report.css)
+embed(kChapterCss ../reproduce/chapter.css)
 embed(kReportScript report_data.js report_text.js report_mesh.js report_charts.js report.js)
 file(APPEND ${OUTPUT} "\n}  // namespace wellspaced\n")

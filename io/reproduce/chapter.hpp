@@ -10,14 +10,18 @@
 
 namespace wellspaced {
 
-/// make: runs the experiments that are not kept, and assembles the exhibit.
+/// fill: runs the experiments that are not kept, and adds to an exhibit that has its name and
+/// title.
 struct ExhibitKind {
   std::string_view name;   ///< as on the command line
   std::string_view title;  ///< as in the thesis
-  Result<Exhibit> (*make)(const ExhibitKind& kind, Laboratory& laboratory);
+  Result<Exhibit> (*fill)(Laboratory& laboratory, Exhibit exhibit);
 };
 
 /// All of them, in the order of the thesis.
 std::span<const ExhibitKind> exhibit_kinds();
+
+/// One of them. Errors: those of Laboratory::runs and of the generators; kCancelled.
+Result<Exhibit> make_exhibit(const ExhibitKind& kind, Laboratory& laboratory);
 
 }  // namespace wellspaced

@@ -41,11 +41,11 @@ Deviation deviation_at(const Exhibit& exhibit, const ExhibitTable& table, std::s
   deviation.exhibit = exhibit.name;
   deviation.table = table.name;
   deviation.row = table.row_heading + ' ' + table.rows[row].label;
-  deviation.column = head.group.empty() ? head.name : head.group + ", " + head.name;
+  deviation.column = column_title(head);
   deviation.ours = cell.ours.value_or(std::nan(""));
   deviation.published = cell.published.value_or(std::nan(""));
   deviation.digits = head.digits;
-  deviation.reason = known_reason(table.name, row, deviation.column);
+  deviation.reason = known_reason(table, row, column);
   return deviation;
 }
 
@@ -72,11 +72,13 @@ std::optional<double> difference(const ExhibitColumn& column, const ExhibitCell&
 
 std::vector<Deviation> deviations(const Exhibit& exhibit) {
   std::vector<Deviation> found;
-  for (const ExhibitTable& table : exhibit.tables)
+  for (const ExhibitTable& table : exhibit.tables) {
+    if (table.repeats) continue;
     for (std::size_t row = 0; row < table.rows.size(); ++row)
       for (std::size_t column = 0; column < table.columns.size(); ++column)
         if (is_beyond(table, row, column))
           found.push_back(deviation_at(exhibit, table, row, column));
+  }
   return found;
 }
 

@@ -33,6 +33,7 @@ struct ExhibitRow {
 };
 
 /// comparable: whether ours was measured on what the thesis measured; if not, `note` says on what.
+/// repeats: whether its figures stand in other tables already, which tell how they differ.
 struct ExhibitTable {
   std::string name;  ///< of its files
   std::string title = {};
@@ -40,6 +41,7 @@ struct ExhibitTable {
   std::vector<ExhibitColumn> columns = {};
   std::vector<ExhibitRow> rows = {};
   bool comparable = true;
+  bool repeats = false;
   std::string note = {};
 };
 
@@ -72,7 +74,7 @@ struct Deviation {
   std::string reason;
 };
 
-/// All figures of the comparable tables that differ, in their order.
+/// All figures that differ, in the order of the tables, without those that repeat.
 std::vector<Deviation> deviations(const Exhibit& exhibit);
 
 /// The cell in the text of all tables; "-" where there is none.

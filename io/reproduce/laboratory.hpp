@@ -30,8 +30,8 @@ struct LaboratoryOptions {
 /// One line of the program of experiments. mesh: as published_sequence names them, and "grid20".
 /// thesis_runs: how many the thesis made.
 struct Experiment {
-  std::string name;  ///< of its file
-  std::string mesh;
+  std::string name = {};  ///< of its file
+  std::string mesh = {};
   CoarseningOptions options = {};
   std::size_t thesis_runs = 30;
 };

@@ -37,18 +37,18 @@ struct LevelColumn {
 };
 
 // In the order of PublishedLevel.
-constexpr auto kAngle = CellRule::kTwoDegrees;
-constexpr auto kCount = CellRule::kWithinRuns;
+constexpr auto kLevelAngle = CellRule::kTwoDegrees;
+constexpr auto kLevelCount = CellRule::kWithinRuns;
 constexpr std::array<LevelColumn, 9> kLevelColumns = {{
-    {"", "nodes", Over::kMean, kCount, level_nodes},
-    {"non-boundary angles", "smallest", Over::kSmallest, kAngle, interior_smallest},
-    {"non-boundary angles", "avg small.", Over::kMean, kAngle, interior_smallest},
-    {"boundary angles", "smallest", Over::kSmallest, kAngle, boundary_smallest},
-    {"boundary angles", "avg small.", Over::kMean, kAngle, boundary_smallest},
-    {"angles ≤ 10°", "non-", Over::kRunsTotal, kCount, small_interior_angles},
-    {"angles ≤ 10°", "boundary", Over::kRunsTotal, kCount, small_boundary_angles},
-    {"intersection", "avg mean", Over::kMean, kCount, mean_intersection},
-    {"intersection", "avg max", Over::kMean, kCount, largest_intersection},
+    {"", "nodes", Over::kMean, kLevelCount, level_nodes},
+    {"non-boundary angles", "smallest", Over::kSmallest, kLevelAngle, interior_smallest},
+    {"non-boundary angles", "avg small.", Over::kMean, kLevelAngle, interior_smallest},
+    {"boundary angles", "smallest", Over::kSmallest, kLevelAngle, boundary_smallest},
+    {"boundary angles", "avg small.", Over::kMean, kLevelAngle, boundary_smallest},
+    {"angles ≤ 10°", "non-", Over::kRunsTotal, kLevelCount, small_interior_angles},
+    {"angles ≤ 10°", "boundary", Over::kRunsTotal, kLevelCount, small_boundary_angles},
+    {"intersection", "avg mean", Over::kMean, kLevelCount, mean_intersection},
+    {"intersection", "avg max", Over::kMean, kLevelCount, largest_intersection},
 }};
 
 ExhibitColumn head_of(const LevelColumn& column) {
@@ -101,6 +101,9 @@ ExhibitRow level_row(std::span<const RunStatistics> runs, const PublishedSequenc
   return row;
 }
 
+// With fewer runs their spread says nothing.
+constexpr std::size_t kFewestCompared = 3;
+
 // Runs of ours, and their seeds, as a table's note tells them.
 std::string runs_note(const Laboratory& laboratory, const Experiment& experiment) {
   const std::size_t runs = laboratory.run_count(experiment);
@@ -110,7 +113,17 @@ std::string runs_note(const Laboratory& laboratory, const Experiment& experiment
          (runs == 1 ? std::string() : " to " + std::to_string(first + runs - 1));
 }
 
-bool is_lost(const std::string& mesh) { return mesh == "airfoil2"; }
+// The runs of the experiment; the table notes what they were made on.
+Result<std::span<const RunStatistics>> our_runs(Laboratory& laboratory,
+                                                const Experiment& experiment, ExhibitTable& half) {
+  const auto runs = laboratory.runs(experiment);
+  if (!runs) return runs.error();
+  const SuiteMesh& mesh = *laboratory.mesh(experiment.mesh).value();
+  half.comparable = mesh.is_original && runs->size() >= kFewestCompared;
+  half.note = mesh.title + ": " + mesh.origin + "; " + runs_note(laboratory, experiment);
+  if (runs->size() < kFewestCompared) half.note += ", too few to compare";
+  return *runs;
+}
 
 }  // namespace
 
@@ -131,17 +144,13 @@ Result<ExhibitTable> level_table(Laboratory& laboratory, const std::string& tabl
   half.title =
       method == CoarseningMethod::kMis ? "MIS-based coarsening" : "Function-based coarsening";
   std::span<const RunStatistics> runs;
-  half.comparable = !is_lost(mesh);
-  if (is_lost(mesh)) {
+  if (mesh == "airfoil2") {
+    half.comparable = false;
     half.note = "the coordinates of this mesh are lost: only its graph survives";
   } else {
-    const auto made = laboratory.runs(experiment);
+    const auto made = our_runs(laboratory, experiment, half);
     if (!made) return made.error();
     runs = *made;
-    const auto source = laboratory.mesh(mesh);
-    half.comparable = (*source)->is_original;
-    half.note =
-        (*source)->title + ": " + (*source)->origin + "; " + runs_note(laboratory, experiment);
   }
   for (const LevelColumn& column : kLevelColumns) half.columns.push_back(head_of(column));
   const std::size_t levels =

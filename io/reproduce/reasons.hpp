@@ -3,12 +3,17 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
+
+#include "wellspaced/io/reproduce/exhibit.hpp"
 
 namespace wellspaced {
 
-/// The reason for a difference in row `row` (from 0) and the column of that name, group first, of
-/// the table of that name. Returns: "not known" where it is not.
-std::string known_reason(std::string_view table, std::size_t row, std::string_view column);
+/// The reason for the difference in row `row` and column `column` of the table: one that is known
+/// of the place, or that the column tells itself (the smallest angle of all runs is an extreme).
+/// Returns: "not known" where it is not.
+std::string known_reason(const ExhibitTable& table, std::size_t row, std::size_t column);
+
+/// How lists of differences call a column: its group first.
+std::string column_title(const ExhibitColumn& column);
 
 }  // namespace wellspaced

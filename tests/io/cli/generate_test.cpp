@@ -56,8 +56,8 @@ TEST(Generate, WritesTheBoundaryAsADomainWithItsHoles) {
 }
 
 TEST(Generate, MakesEachPointSet) {
-  for (const std::string kind :
-       {"random", "clusters", "circle", "spiral", "parabola", "collinear", "copies"}) {
+  for (const std::string kind : {"random", "clusters", "circle", "spiral", "parabola", "collinear",
+                                 "hammersley", "halton", "copies"}) {
     const ProgramRun run =
         run_program({"generate", kind, "--nodes", "137", "-o", "-", "--format", "xyz"});
     EXPECT_EQ(run.exit_code, 0) << run.err;

@@ -135,5 +135,27 @@ TEST(PanelsSvg, SetsMeshesSideBySideWithTheirCaptions) {
   EXPECT_NE(none.text().find("</svg>"), std::string::npos);
 }
 
+TEST(MeshSvg, AZoomShowsThePartAroundItsCentre) {
+  TriangleMesh mesh = square();
+  mesh.points.push_back({0.5, 0.25});
+  mesh.triangles = {{0, 1, 4}, {2, 3, 4}};
+  TextWriter out;
+  write_mesh_svg(out, mesh, {.width = 100, .zoom = 4, .centre = Point2{0.5, 0}});
+  const std::string svg = out.text();
+  EXPECT_NE(svg.find("width=\"110\" height=\"110\""), svg.npos) << svg;
+  // 400 pixels wide as a whole: the centre is at (2000, 4000), the part begins at (1500, 3500).
+  EXPECT_NE(svg.find("translate(-1450 -3450)"), svg.npos) << svg;
+  EXPECT_EQ(svg.find("M0 0"), svg.npos) << "the upper edge is out of sight: " << svg;
+}
+
+TEST(DisksSvg, DrawsADiskOfItsRadiusAroundEachPoint) {
+  TextWriter out;
+  write_disks_svg(out, square(), std::vector<double>{0.5, 0.25, 0, 0.5}, {.width = 100});
+  const std::string svg = out.text();
+  for (const char* disk : {"cx=\"0\" cy=\"1000\" r=\"500\"", "cx=\"1000\" cy=\"1000\" r=\"250\"",
+                           "cx=\"1000\" cy=\"0\" r=\"5\"", "cx=\"0\" cy=\"0\" r=\"500\""})
+    EXPECT_NE(svg.find(disk), svg.npos) << disk << '\n' << svg;
+}
+
 }  // namespace
 }  // namespace wellspaced

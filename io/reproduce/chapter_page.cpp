@@ -1,0 +1,255 @@
+#include "wellspaced/io/reproduce/chapter_page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "wellspaced/io/report/report_templates.hpp"
+#include "wellspaced/io/report/table_text.hpp"
+#include "wellspaced/io/reproduce/exhibit_files.hpp"
+#include "wellspaced/io/text/markup.hpp"
+
+namespace wellspaced {
+namespace {
+
+constexpr double kFewNodes = 50;
+constexpr std::size_t kLongTable = 12;  // rows; longer ones may break over pages
+
+std::string tagged(const std::string& tag, const std::string& text, const std::string& more = "") {
+  return '<' + tag + more + '>' + text + "</" + tag + '>';
+}
+
+std::string paragraph(const std::string& text, const std::string& kind) {
+  return text.empty() ? "" : tagged("p", escape_markup(text), " class=\"" + kind + "\"") + '\n';
+}
+
+std::size_t compared_figures(std::span<const Exhibit> exhibits) {
+  std::size_t count = 0;
+  for (const Exhibit& exhibit : exhibits)
+    for (const ExhibitTable& table : exhibit.tables)
+      for (const ExhibitRow& row : table.rows)
+        for (std::size_t i = 0; i < row.cells.size(); ++i)
+          count += table.comparable && !table.repeats && row.cells[i].published &&
+                   table.columns[i].rule != CellRule::kNever;
+  return count;
+}
+
+// ---- Tables
+
+// Where a group begins, a rule stands left of it.
+std::string column_class(const ExhibitTable& table, std::size_t i, const std::string& more = "") {
+  const bool first = i > 0 && !table.columns[i].group.empty() &&
+                     table.columns[i].group != table.columns[i - 1].group;
+  const std::string names = (first ? "first" : "") + (more.empty() ? "" : ' ' + more);
+  return names.empty() ? "" : " class=\"" + names + '"';
+}
+
+std::string group_heads(const ExhibitTable& table) {
+  std::string text;
+  for (std::size_t i = 0; i < table.columns.size();) {
+    std::size_t end = i + 1;
+    while (end < table.columns.size() && table.columns[end].group == table.columns[i].group) ++end;
+    text += tagged(
+        "th", escape_markup(table.columns[i].group),
+        " scope=\"colgroup\" colspan=\"" + std::to_string(end - i) + '"' + column_class(table, i));
+    i = end;
+  }
+  return text;
+}
+
+std::string table_head(const ExhibitTable& table) {
+  std::string names = tagged("th", table.row_heading, " scope=\"col\"") + "<td></td>";
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    names += tagged("th", escape_markup(table.columns[i].name),
+                    " scope=\"col\"" + column_class(table, i));
+  return "<thead>\n" + tagged("tr", "<td></td><td></td>" + group_heads(table)) + '\n' +
+         tagged("tr", names) + "\n</thead>\n";
+}
+
+std::string our_line(const ExhibitTable& table, std::size_t row, bool compares) {
+  std::string line = tagged("th", escape_markup(table.rows[row].label), " scope=\"row\"") +
+                     tagged("td", compares ? "ours" : "", " class=\"whose\"");
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    line += tagged("td", figure_text(table.rows[row].cells[i].ours, table.columns[i].digits),
+                   column_class(table, i, is_beyond(table, row, i) ? "beyond" : ""));
+  return tagged("tr", line) + '\n';
+}
+
+template <class Text>
+std::string other_line(const ExhibitTable& table, const ExhibitRow& row, const std::string& whose,
+                       Text text) {
+  std::string line = "<td></td>" + tagged("td", whose, " class=\"whose\"");
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    line += tagged("td", text(table.columns[i], row.cells[i]), column_class(table, i));
+  return tagged("tr", line, " class=\"" + whose + '"') + '\n';
+}
+
+std::string row_lines(const ExhibitTable& table, std::size_t row, bool compares) {
+  const ExhibitRow& cells = table.rows[row];
+  std::string lines = our_line(table, row, compares);
+  if (!has_published(cells)) return lines;
+  lines +=
+      other_line(table, cells, "thesis", [](const ExhibitColumn& column, const ExhibitCell& cell) {
+        return figure_text(cell.published, column.digits);
+      });
+  return lines + other_line(table, cells, "difference", difference_text);
+}
+
+std::string table_html(const ExhibitTable& table) {
+  const bool compares = has_published(table);
+  std::string body;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    body += tagged("tbody", '\n' + row_lines(table, row, compares),
+                   compares ? " class=\"level\"" : "") +
+            '\n';
+  const std::string caption = tagged("caption", escape_markup(table.title)) + '\n';
+  const std::string kind = table.rows.size() > kLongTable ? "table long" : "table";
+  return paragraph(table.note, "note") +
+         tagged("div", tagged("table", '\n' + caption + table_head(table) + body),
+                " class=\"" + kind + '"') +
+         '\n';
+}
+
+// ---- Pictures and exhibits
+
+std::string pictures_html(const Exhibit& exhibit) {
+  if (exhibit.pictures.empty()) return "";
+  const bool wide = exhibit.name == "drawings";
+  std::string plates;
+  for (const ExhibitPicture& picture : exhibit.pictures)
+    plates += tagged("figure", picture.svg + tagged("figcaption", escape_markup(picture.caption)),
+                     " id=\"" + escape_markup(picture.name) + '"') +
+              '\n';
+  return tagged("div", '\n' + plates, wide ? " class=\"plates wide\"" : " class=\"plates\"") + '\n';
+}
+
+std::string exhibit_html(const Exhibit& exhibit) {
+  std::string text = tagged("h2", escape_markup(exhibit.title)) + '\n';
+  for (const std::string& note : exhibit.notes) text += paragraph(note, "note");
+  for (const ExhibitTable& table : exhibit.tables)
+    if (!table.repeats) text += table_html(table);
+  text += pictures_html(exhibit);
+  return tagged("section", '\n' + text, " id=\"" + escape_markup(exhibit.name) + '"') + '\n';
+}
+
+std::string contents_html(std::span<const Exhibit> exhibits) {
+  std::string items = tagged("li", "<a href=\"#differences\">What differs, and why</a>");
+  for (const Exhibit& exhibit : exhibits)
+    items += tagged("li", tagged("a", escape_markup(exhibit.title),
+                                 " href=\"#" + escape_markup(exhibit.name) + '"')) +
+             '\n';
+  return tagged("nav", tagged("ol", '\n' + items), " aria-label=\"Contents\"") + '\n';
+}
+
+// ---- What differs
+
+std::string place_text(const Deviation& d) {
+  return d.row + ", " + d.column + ": " + figure_text(d.ours, d.digits) + " (" +
+         figure_text(d.published, d.digits) + ")";
+}
+
+// One row for all figures of a table that differ for the same reason, in the order of the first.
+std::string reasons_table(std::span<const Deviation> found) {
+  std::vector<const Deviation*> firsts;
+  std::map<std::pair<std::string, std::string>, std::string> places;
+  for (const Deviation& deviation : found) {
+    std::string& list = places[{deviation.table, deviation.reason}];
+    if (list.empty()) firsts.push_back(&deviation);
+    list += (list.empty() ? "" : "; ") + place_text(deviation);
+  }
+  std::string rows = "<tr><th>table</th><th>ours (thesis)</th><th>why</th></tr>\n";
+  for (const Deviation* first : firsts)
+    rows += tagged("tr", tagged("td", escape_markup(first->table)) +
+                             tagged("td", escape_markup(places[{first->table, first->reason}])) +
+                             tagged("td", escape_markup(first->reason))) +
+            '\n';
+  return tagged("div", tagged("table", '\n' + rows, " class=\"reasons\""), " class=\"table long\"");
+}
+
+std::vector<Deviation> all_deviations(std::span<const Exhibit> exhibits) {
+  std::vector<Deviation> found;
+  for (const Exhibit& exhibit : exhibits)
+    for (Deviation& deviation : deviations(exhibit)) found.push_back(std::move(deviation));
+  return found;
+}
+
+std::string differences_html(std::span<const Deviation> found) {
+  std::string text = "<h2>What differs, and why</h2>\n";
+  text += paragraph(
+      "A count differs where the published figure lies outside all of our runs, by more than a "
+      "unit of its last digit; an angle, where it is more than 2 degrees off. In the tables these "
+      "figures have a star.",
+      "note");
+  if (!found.empty()) text += reasons_table(found);
+  return tagged("section", '\n' + text, " id=\"differences\"") + '\n';
+}
+
+// ---- The head
+
+std::string lead_html(const ChapterPage& page, std::size_t differing) {
+  const std::size_t compared = compared_figures(page.exhibits);
+  const SizeAgreement sizes = size_agreement(page.exhibits);
+  std::string text = paragraph(
+      "Tables and figures of Dafna Talmor's thesis, made again by wellspaced, beside the "
+      "published ones.",
+      "lead headline");
+  if (sizes.rows > 0)
+    text += paragraph("In the " + std::to_string(sizes.rows) +
+                          " function-based rows down to 50 nodes, sizes differ by at most " +
+                          decimal(sizes.largest_percent, 1) + "%.",
+                      "lead");
+  if (compared > 0)
+    text +=
+        paragraph(std::to_string(compared) + " figures are compared; " + std::to_string(differing) +
+                      " differ, and are listed with the reasons as "
+                      "far as they are known.",
+                  "lead");
+  else
+    text += paragraph("No figure is compared: nothing here was measured on the thesis' own meshes.",
+                      "lead");
+  return text;
+}
+
+std::string parameters_html(const ChapterPage& page) {
+  std::string items;
+  for (const auto& [name, value] : page.parameters)
+    items += tagged("dt", escape_markup(name)) + tagged("dd", escape_markup(value)) + '\n';
+  return tagged("dl", '\n' + items);
+}
+
+}  // namespace
+
+SizeAgreement size_agreement(std::span<const Exhibit> exhibits) {
+  SizeAgreement agreement;
+  for (const Exhibit& exhibit : exhibits)
+    for (const ExhibitTable& table : exhibit.tables) {
+      if (table.repeats || !table.comparable || table.name != exhibit.name + "-function") continue;
+      for (const ExhibitRow& row : table.rows) {
+        const ExhibitCell& nodes = row.cells[0];
+        const auto percent = difference(table.columns[0], nodes);
+        if (!percent || *nodes.published < kFewNodes) continue;
+        agreement.largest_percent = std::fmax(agreement.largest_percent, std::fabs(*percent));
+        ++agreement.rows;
+      }
+    }
+  return agreement;
+}
+
+std::string chapter_html(const ChapterPage& page) {
+  const std::vector<Deviation> found = all_deviations(page.exhibits);
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\" data-theme=\"paper\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>Well-Spaced Points for Numerical Methods, reproduced</title>\n<style>\n";
+  text.append(kReportCss).append(kChapterCss);
+  text +=
+      "</style>\n</head>\n<body>\n<header>\n<p class=\"kicker\">wellspaced reproduce</p>\n"
+      "<h1>Well-Spaced Points for Numerical Methods, reproduced</h1>\n</header>\n<main>\n";
+  text += lead_html(page, found.size()) + parameters_html(page) + contents_html(page.exhibits);
+  text += differences_html(found);
+  for (const Exhibit& exhibit : page.exhibits) text += exhibit_html(exhibit);
+  return text + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace wellspaced
