@@ -20,11 +20,14 @@ class EuclideanCoarseningFunction {
                               double factor);
 
   /// f(x). The cone is chosen exactly, its value within 3 units in the last place. Infinite where
-  /// no cone has a finite value. Cost: as SiteTree's.
+  /// no cone has a finite value.
+  /// Degenerate: where very many cones are nearly as low as the lowest, as at the centre of a
+  /// circle of points with one g, the value may be too large by 4 parts in 1000. Cost: that of
+  /// SiteTree::nearly_nearest: O(log n), and bounded wherever the points lie.
   double operator()(Point2 x) const;
 
   /// The point q that f(x) comes from, the lowest of several; kNoIndex where f(x) is infinite.
-  Index source(Point2 x) const { return tree_.nearest(x); }
+  Index source(Point2 x) const { return tree_.nearly_nearest(x); }
 
   /// f at the points of P.
   std::vector<double> at_points() const;

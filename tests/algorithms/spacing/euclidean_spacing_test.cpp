@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
 #include "wellspaced/algorithms/spacing/threshold_spacing.hpp"
 #include "wellspaced/kernel/distance.hpp"
+#include "wellspaced/kernel/elementary.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
@@ -41,6 +42,30 @@ TEST(EuclideanCoarseningFunction, IsTheLowestOfAllCones) {
   }
   const auto at_points = euclidean_coarsened_spacing(s.points, s.g, 5);
   for (std::size_t v = 0; v < s.points.size(); ++v) EXPECT_EQ(at_points[v], f(s.points[v]));
+}
+
+// Half the points on a circle, all of one g, the others crowded about its centre: an exact search
+// would look at all cones from each of these.
+TEST(EuclideanCoarseningFunction, IsBoundedInCostWhereAllConesAreNearlyAsLow) {
+  constexpr Index n = 12000;
+  for (const double crowd : {1e-3, 1e-10}) {
+    Random random(4);
+    Sample s;
+    for (Index i = 0; i < n; ++i) {
+      const Point2 on_circle = circle_point(static_cast<double>(i) / n);
+      const Point2 inside{crowd * random.uniform(-1, 1), crowd * random.uniform(-1, 1)};
+      s.points.push_back(i % 2 == 0 ? on_circle : inside);
+      s.g.push_back(i % 2 == 0 ? 0.001 : 10);
+    }
+    const auto f = euclidean_coarsened_spacing(s.points, s.g, 1);
+    for (Index v = 0; v < n; v += 97) {
+      double exact = HUGE_VAL;
+      for (Index q = 0; q < n; ++q)
+        exact = std::min(exact, s.g[q] + distance(s.points[q], s.points[v]));
+      EXPECT_GE(f[v], exact * (1 - 1e-15));
+      EXPECT_LE(f[v], exact * (v % 2 == 0 ? 1 + 1e-15 : 1.004));
+    }
+  }
 }
 
 // Lemma 5.4.1, for f and t.
