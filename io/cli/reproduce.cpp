@@ -122,8 +122,8 @@ Result<int> run(Arguments& arguments, Session& session) {
 
 constexpr std::array kOptions = {
     Option{"--runs", "N",
-           "runs of each experiment of which the thesis made 30 (default 30); of the others, in "
-           "proportion"},
+           "runs of each experiment of which the thesis made 30 (default 30), in proportion of the "
+           "others; on all cores, unless --threads says otherwise"},
     Option{"--data", "DIR",
            "the folder of the original meshes, as Triangle's files: crack_float32, airfoil1, ...; "
            "without it, meshes made by generate stand in for them"},
@@ -136,7 +136,9 @@ extern const Command kReproduce;
 const Command kReproduce = {
     .name = "reproduce",
     .operands = "WHAT",
-    .summary = "make a table or figure of the thesis again, beside the published figures",
+    .summary =
+        "make a table or figure of the thesis again, beside the published figures: table-8.1, 8.3 "
+        "to 8.8, figure-1.1 to 1.5, 5.4, 8.5 to 8.9, section-6.1, 8.4, drawings, all",
     .least_operands = 1,
     .most_operands = 1,
     .options = kOptions,

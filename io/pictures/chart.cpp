@@ -13,7 +13,7 @@
 namespace wellspaced {
 namespace {
 
-constexpr double kChartWidth = 460, kPlotLeft = 58, kPlotRight = 432, kPlotTop = 12,
+constexpr double kChartWidth = 480, kPlotLeft = 82, kPlotRight = 446, kPlotTop = 12,
                  kPlotBottom = 262, kLegendTop = 318, kLegendLine = 19;
 constexpr std::size_t kLegendColumns = 2;
 

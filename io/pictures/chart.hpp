@@ -28,7 +28,7 @@ struct Chart {
   std::vector<ChartSeries> series = {};
 };
 
-/// Draws the chart, a legend below it, 460 pixels wide. A linear axis begins at 0 unless there are
+/// Draws the chart, a legend below it, 480 pixels wide. A linear axis begins at 0 unless there are
 /// negative values. Points that are not finite, or not positive on a logarithmic axis, are left
 /// out. The same chart gives the same bytes. Cost: linear.
 void write_chart_svg(TextWriter& out, const Chart& chart);

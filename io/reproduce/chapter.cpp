@@ -18,6 +18,7 @@ Result<Exhibit> sequence_exhibit(Laboratory& laboratory, Exhibit exhibit, const 
     if (!table) return table.error();
     exhibit.tables.push_back(std::move(*table));
   }
+  add_sequence_charts(exhibit);
   if (const PublishedSequence* printed = published_sequence(mesh, "mis");
       printed != nullptr && printed->small_angle_sums)
     exhibit.notes.push_back("Under \"≤ 10\" the thesis prints the sums of its " +

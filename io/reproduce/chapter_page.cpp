@@ -67,9 +67,9 @@ std::string table_head(const ExhibitTable& table) {
          tagged("tr", names) + "\n</thead>\n";
 }
 
-std::string our_line(const ExhibitTable& table, std::size_t row, bool compares) {
+std::string our_line(const ExhibitTable& table, std::size_t row, const std::string& whose) {
   std::string line = tagged("th", escape_markup(table.rows[row].label), " scope=\"row\"") +
-                     tagged("td", compares ? "ours" : "", " class=\"whose\"");
+                     tagged("td", whose, " class=\"whose\"");
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     line += tagged("td", figure_text(table.rows[row].cells[i].ours, table.columns[i].digits),
                    column_class(table, i, is_beyond(table, row, i) ? "beyond" : ""));
@@ -85,9 +85,9 @@ std::string other_line(const ExhibitTable& table, const ExhibitRow& row, const s
   return tagged("tr", line, " class=\"" + whose + '"') + '\n';
 }
 
-std::string row_lines(const ExhibitTable& table, std::size_t row, bool compares) {
+std::string row_lines(const ExhibitTable& table, std::size_t row, const std::string& whose) {
   const ExhibitRow& cells = table.rows[row];
-  std::string lines = our_line(table, row, compares);
+  std::string lines = our_line(table, row, whose);
   if (!has_published(cells)) return lines;
   lines +=
       other_line(table, cells, "thesis", [](const ExhibitColumn& column, const ExhibitCell& cell) {
@@ -100,13 +100,16 @@ std::string table_html(const ExhibitTable& table) {
   const bool compares = has_published(table);
   std::string body;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
-    body += tagged("tbody", '\n' + row_lines(table, row, compares),
+    body += tagged("tbody", '\n' + row_lines(table, row, compares ? "ours" : ""),
                    compares ? " class=\"level\"" : "") +
             '\n';
-  const std::string caption = tagged("caption", escape_markup(table.title)) + '\n';
+  const std::string note = table.note.empty() ? "" : ". " + table.note;
+  const std::string caption =
+      tagged("caption",
+             escape_markup(table.title) + tagged("span", escape_markup(note), " class=\"note\"")) +
+      '\n';
   const std::string kind = table.rows.size() > kLongTable ? "table long" : "table";
-  return paragraph(table.note, "note") +
-         tagged("div", tagged("table", '\n' + caption + table_head(table) + body),
+  return tagged("div", tagged("table", '\n' + caption + table_head(table) + body),
                 " class=\"" + kind + '"') +
          '\n';
 }
@@ -114,13 +117,14 @@ std::string table_html(const ExhibitTable& table) {
 // ---- Pictures and exhibits
 
 std::string pictures_html(const Exhibit& exhibit) {
-  if (exhibit.pictures.empty()) return "";
-  const bool wide = exhibit.name == "drawings";
   std::string plates;
   for (const ExhibitPicture& picture : exhibit.pictures)
-    plates += tagged("figure", picture.svg + tagged("figcaption", escape_markup(picture.caption)),
-                     " id=\"" + escape_markup(picture.name) + '"') +
-              '\n';
+    if (!picture.repeats)
+      plates += tagged("figure", picture.svg + tagged("figcaption", escape_markup(picture.caption)),
+                       " id=\"picture-" + escape_markup(picture.name) + '"') +
+                '\n';
+  if (plates.empty()) return "";
+  const bool wide = exhibit.name == "drawings";
   return tagged("div", '\n' + plates, wide ? " class=\"plates wide\"" : " class=\"plates\"") + '\n';
 }
 

@@ -12,6 +12,9 @@ struct ExhibitCell {
   std::optional<double> ours, published, low, high;
 };
 
+/// Which figure of a cell: &ExhibitCell::ours or &ExhibitCell::published.
+using CellFigure = std::optional<double> ExhibitCell::*;
+
 /// When a figure of ours counts as different from the published one.
 enum class CellRule {
   kWithinRuns,  ///< if the published one is outside our runs, by more than a unit of its last digit
@@ -45,10 +48,12 @@ struct ExhibitTable {
   std::string note = {};
 };
 
+/// repeats: whether another exhibit shows it; then it is for the files alone.
 struct ExhibitPicture {
   std::string name;  ///< of its file
   std::string caption;
   std::string svg;
+  bool repeats = false;
 };
 
 struct Exhibit {

@@ -52,6 +52,14 @@ std::size_t Laboratory::run_count(const Experiment& experiment) const {
   return static_cast<std::size_t>(std::ceil(part * static_cast<double>(options_.runs)));
 }
 
+std::string Laboratory::runs_text(const Experiment& experiment) const {
+  const std::size_t runs = run_count(experiment);
+  const std::string first = std::to_string(options_.seed);
+  if (runs == 1) return "1 run, seed " + first;
+  return std::to_string(runs) + " runs, seeds " + first + " to " +
+         std::to_string(options_.seed + runs - 1);
+}
+
 Result<std::vector<RunStatistics>> Laboratory::make_runs(const Experiment& experiment,
                                                          const SuiteMesh& mesh) {
   RepeatOptions repeat{.runs = run_count(experiment), .threads = options_.threads};
@@ -75,7 +83,7 @@ Result<std::span<const RunStatistics>> Laboratory::runs(const Experiment& experi
     if (!made) return made.error();
     kept = std::move(*made);
     if (!options_.directory.empty())
-      if (Status status = keep_runs(path, runs_text(parameters, *kept), options_.directory);
+      if (Status status = keep_runs(path, runs_json(parameters, *kept), options_.directory);
           !status)
         return status.error();
   }

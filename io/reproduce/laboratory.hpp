@@ -45,6 +45,8 @@ class Laboratory {
   Result<const SuiteMesh*> mesh(const std::string& name);
   /// How many runs are made of an experiment.
   std::size_t run_count(const Experiment& experiment) const;
+  /// "30 runs, seeds 1 to 30".
+  std::string runs_text(const Experiment& experiment) const;
   /// The runs of an experiment: those kept in the folder, if their parameters are the same and
   /// their file is whole, else new ones, which are kept.
   /// Errors: those of repeat_coarsening; kUsage and kLimit if they cannot be kept.

@@ -104,15 +104,6 @@ ExhibitRow level_row(std::span<const RunStatistics> runs, const PublishedSequenc
 // With fewer runs their spread says nothing.
 constexpr std::size_t kFewestCompared = 3;
 
-// Runs of ours, and their seeds, as a table's note tells them.
-std::string runs_note(const Laboratory& laboratory, const Experiment& experiment) {
-  const std::size_t runs = laboratory.run_count(experiment);
-  const std::uint64_t first = laboratory.options().seed;
-  return std::to_string(runs) + (runs == 1 ? " run, seed " : " runs, seeds ") +
-         std::to_string(first) +
-         (runs == 1 ? std::string() : " to " + std::to_string(first + runs - 1));
-}
-
 // The runs of the experiment; the table notes what they were made on.
 Result<std::span<const RunStatistics>> our_runs(Laboratory& laboratory,
                                                 const Experiment& experiment, ExhibitTable& half) {
@@ -120,7 +111,7 @@ Result<std::span<const RunStatistics>> our_runs(Laboratory& laboratory,
   if (!runs) return runs.error();
   const SuiteMesh& mesh = *laboratory.mesh(experiment.mesh).value();
   half.comparable = mesh.is_original && runs->size() >= kFewestCompared;
-  half.note = mesh.title + ": " + mesh.origin + "; " + runs_note(laboratory, experiment);
+  half.note = mesh.title + ": " + mesh.origin + "; " + laboratory.runs_text(experiment);
   if (runs->size() < kFewestCompared) half.note += ", too few to compare";
   return *runs;
 }

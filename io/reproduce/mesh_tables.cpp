@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/algorithms/generate/mis_degradation.hpp"
+#include "wellspaced/io/pictures/chart.hpp"
 #include "wellspaced/io/pictures/svg.hpp"
 #include "wellspaced/io/reproduce/published.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
@@ -97,11 +98,10 @@ std::vector<ExhibitColumn> suite_columns() {
           {"angles", "number ≤ 20°", 0}};
 }
 
-ExhibitTable suite_table(const std::string& name, bool comparable) {
+ExhibitTable suite_table(const std::string& name) {
   ExhibitTable table{.name = name, .title = "Properties of the test suite meshes"};
   table.row_heading = "mesh";
   table.columns = suite_columns();
-  table.comparable = comparable;
   return table;
 }
 
@@ -177,11 +177,25 @@ ExhibitRow degradation_row(unsigned level, std::span<const double> measured,
            {needed, {}, needed, needed}}};
 }
 
+ExhibitPicture degradation_picture(const ExhibitTable& table) {
+  ChartSeries ours{"measured"}, published{"thesis", {}, 0, true};
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const auto level = static_cast<double>(row + 1);
+    const std::vector<ExhibitCell>& cells = table.rows[row].cells;
+    if (cells[0].ours) ours.points.push_back({level, *cells[0].ours});
+    if (cells[1].published) published.points.push_back({level, *cells[1].published});
+  }
+  TextWriter out;
+  write_chart_svg(out, {{"level"}, {"smallest angle, degrees"}, {ours, published}});
+  return {table.name, "Smallest angle by level", out.text()};
+}
+
 }  // namespace
 
 Result<Exhibit> suite_exhibit(Laboratory& laboratory, Exhibit exhibit) {
-  ExhibitTable originals = suite_table(exhibit.name, true);
-  ExhibitTable others = suite_table(exhibit.name + "-others", false);
+  ExhibitTable originals = suite_table(exhibit.name);
+  ExhibitTable others = suite_table(exhibit.name + "-others");
+  others.comparable = false;
   others.title += ": those that the thesis does not have";
   for (const SuiteRow& row : kSuiteRows) {
     if (row.mesh.empty()) {
@@ -223,6 +237,7 @@ Result<Exhibit> degradation_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   exhibit.notes.push_back(
       "The thesis counts 6^k nodes for level k; whole cells of the pattern take "
       "(2^k + 1)(3^k + 1). It truncates the angles.");
+  exhibit.pictures.push_back(degradation_picture(table));
   exhibit.tables.push_back(std::move(table));
   return exhibit;
 }

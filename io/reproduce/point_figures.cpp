@@ -156,7 +156,7 @@ Result<Exhibit> halton_exhibit(Laboratory&, Exhibit exhibit) {
 }
 
 Result<Exhibit> function_exhibit(Laboratory& laboratory, Exhibit exhibit) {
-  constexpr double kBeta = 25, kFactor = 2;
+  constexpr double kBeta = 4, kFactor = 2;
   auto mesh =
       generate_graded_mesh(GradedDomain::kAirfoil, {.nodes = 1500}, laboratory.options().progress);
   if (!mesh) return mesh.error();
@@ -181,7 +181,7 @@ Result<Exhibit> function_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   draw_disks(exhibit, "(d) nodes with disjoint balls", nodes,
              scaled(hierarchy->levels[1].spacing, 1 / kBeta), kWingPicture);
   draw_disks(exhibit, "(e) their mesh", coarse, {}, kWingPicture);
-  exhibit.notes.push_back("Balls have the radius f/β; β = 25, C = 2.");
+  exhibit.notes.push_back("Balls have the radius f, the coarsened ones f/β, with β = 4 and C = 2.");
   return exhibit;
 }
 

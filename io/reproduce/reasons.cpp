@@ -21,6 +21,7 @@ constexpr std::string_view kFewNodesLeft =
 constexpr std::string_view kInspected =
     "The largest count of ten runs is an extreme; and which nodes count as inspected, the thesis "
     "tells in words alone.";
+constexpr std::string_view kOneLevelMore = "A run of ours has one level more.";
 constexpr std::string_view kFewEdges =
     "Among the last levels a dozen edges are left; the average over them follows a single one.";
 constexpr std::string_view kMisprint843 =
@@ -42,7 +43,8 @@ constexpr KnownReason kKnownReasons[] = {
     {"section-6.1", 4, 4, "6^k", "A misprint: 6^5 is 7776."},
     {"table-8.1", 3, 9, "gradation", kDiagonal},
     {"table-8.1", 3, 9, "number", kDependsOnAspect},
-    {"section-8.4.1", 7, 9, "", "A run of ours has one level more."},
+    {"section-8.4.1", 8, 9, "", kOneLevelMore},
+    {"section-8.4.2", 8, 9, "", kOneLevelMore},
     {"section-8.4.2", 0, 9, "max", kInspected},
     {"section-8.4.3", 1, 1, "AIRFOIL 1", kMisprint843},
     {"section-8.4.3", 3, 4, "AIRFOIL 1", kFewEdges},

@@ -105,7 +105,7 @@ std::optional<RunStatistics> read_run(const JsonValue& run) {
 
 }  // namespace
 
-std::string runs_text(const std::string& parameters, std::span<const RunStatistics> runs) {
+std::string runs_json(const std::string& parameters, std::span<const RunStatistics> runs) {
   JsonWriter json;
   json.begin_object().field("parameters", parameters).key("figures").begin_array();
   for (const std::string_view name : kFigureNames) json.value(name);

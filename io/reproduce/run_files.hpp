@@ -11,9 +11,9 @@
 namespace wellspaced {
 
 /// The runs as a JSON text. parameters: all that they depend on.
-std::string runs_text(const std::string& parameters, std::span<const RunStatistics> runs);
+std::string runs_json(const std::string& parameters, std::span<const RunStatistics> runs);
 
-/// The runs in the file `path`, whose text runs_text made with the same parameters; every figure
+/// The runs in the file `path`, whose text runs_json made with the same parameters; every figure
 /// reads back as it was (an infinite gradation as none).
 /// Returns: nothing if there is no such file, or it was made with others, or it is damaged.
 std::optional<std::vector<RunStatistics>> read_runs(const std::string& path,

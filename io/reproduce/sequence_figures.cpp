@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "wellspaced/io/pictures/chart.hpp"
@@ -31,8 +32,10 @@ ChartSeries series_of(const PlottedSequence& sequence) {
   return {.name = sequence.name, .style = sequence.style, .dashed = sequence.published};
 }
 
-std::string size_chart(std::span<const PlottedSequence> sequences, bool logarithmic) {
-  Chart chart{.x = {"level"}, .y = {"nodes", logarithmic}};
+enum class Plot { kSizes, kLogSizes, kAngles };
+
+std::string size_chart(std::span<const PlottedSequence> sequences, Plot plot) {
+  Chart chart{.x = {"level"}, .y = {"nodes", plot == Plot::kLogSizes}};
   for (const PlottedSequence& sequence : sequences) {
     ChartSeries series = series_of(sequence);
     for (std::size_t level = 0; level < sequence.levels.size(); ++level)
@@ -64,12 +67,10 @@ constexpr PlottedMesh kPlottedMeshes[] = {{"crack", "CRACK"},
                                           {"airfoil2", "AIRFOIL 2"},
                                           {"airfoil3", "AIRFOIL 3"}};
 
-using CellValue = std::optional<double> ExhibitCell::*;
-
 double or_nan(const std::optional<double>& value) { return value.value_or(std::nan("")); }
 
 // Of a table by level_table: nodes in column 0, smallest angles in columns 1 and 3.
-PlottedSequence plotted(const ExhibitTable& table, CellValue whose, const std::string& name,
+PlottedSequence plotted(const ExhibitTable& table, CellFigure whose, const std::string& name,
                         unsigned style) {
   PlottedSequence sequence{name + (whose == &ExhibitCell::ours ? "" : ", thesis"), style,
                            whose == &ExhibitCell::published};
@@ -84,49 +85,52 @@ bool has_points(const PlottedSequence& sequence) {
   return std::ranges::any_of(sequence.levels, [](Point2 p) { return std::isfinite(p.x); });
 }
 
-// Ours and the thesis', by both methods, as far as there are any. The tables join `tables`.
-Result<std::vector<PlottedSequence>> plotted_sequences(Laboratory& laboratory,
-                                                       const std::string& figure,
-                                                       const PlottedMesh& mesh,
-                                                       std::vector<ExhibitTable>& tables) {
-  std::vector<PlottedSequence> sequences;
-  unsigned style = 0;
-  for (const CoarseningMethod method : {CoarseningMethod::kFunction, CoarseningMethod::kMis}) {
-    const std::string name = figure + "-" + std::string(mesh.name);
-    auto table = level_table(laboratory, name, std::string(mesh.name), method);
-    if (!table) return table.error();
-    const std::string line = style == 0 ? "function-based" : "MIS-based";
-    for (const CellValue whose : {&ExhibitCell::ours, &ExhibitCell::published})
-      if (PlottedSequence sequence = plotted(*table, whose, line, style); has_points(sequence))
-        sequences.push_back(std::move(sequence));
-    table->repeats = true;
-    table->title = std::string(mesh.title) + ", " + line;
-    tables.push_back(std::move(*table));
-    ++style;
-  }
-  return sequences;
+constexpr std::array kPlottedMethods = {CoarseningMethod::kFunction, CoarseningMethod::kMis};
+constexpr std::array kMethodLines = {"function-based", "MIS-based"};
+
+// Ours and the thesis', by both methods, as far as there are any.
+std::vector<PlottedSequence> plotted_lines(std::span<const ExhibitTable> halves) {
+  std::vector<PlottedSequence> lines;
+  for (unsigned i = 0; i < kMethodLines.size() && i < halves.size(); ++i)
+    for (const CellFigure whose : {&ExhibitCell::ours, &ExhibitCell::published})
+      if (auto line = plotted(halves[i], whose, kMethodLines[i], i); has_points(line))
+        lines.push_back(std::move(line));
+  return lines;
 }
 
-enum class Plot { kSizes, kLogSizes, kAngles };
+// The halves of a mesh's table, to be plotted in a figure.
+Result<std::vector<ExhibitTable>> plotted_tables(Laboratory& laboratory, const std::string& figure,
+                                                 const PlottedMesh& mesh) {
+  std::vector<ExhibitTable> halves;
+  for (std::size_t i = 0; i < kPlottedMethods.size(); ++i) {
+    auto table = level_table(laboratory, figure + "-" + std::string(mesh.name),
+                             std::string(mesh.name), kPlottedMethods[i]);
+    if (!table) return table.error();
+    table->repeats = true;
+    table->title = std::string(mesh.title) + ", " + kMethodLines[i];
+    halves.push_back(std::move(*table));
+  }
+  return halves;
+}
 
-ExhibitPicture plot_picture(const std::string& figure, const PlottedMesh& mesh, Plot plot,
-                            std::span<const PlottedSequence> sequences) {
-  const std::string title(mesh.title);
+ExhibitPicture plot_picture(const std::string& name, const std::string& title, Plot plot,
+                            std::span<const PlottedSequence> lines) {
   if (plot == Plot::kAngles)
-    return {figure + "-" + std::string(mesh.name) + "-angles",
-            title + ": smallest angle by size of the level", angle_chart(sequences)};
-  return {figure + "-" + std::string(mesh.name) + "-sizes", title + ": nodes by level",
-          size_chart(sequences, plot == Plot::kLogSizes)};
+    return {name + "-angles", title + ": smallest angle by size of the level", angle_chart(lines)};
+  return {name + "-sizes", title + ": nodes by level", size_chart(lines, plot)};
 }
 
 Result<Exhibit> plotted_exhibit(Laboratory& laboratory, Exhibit exhibit,
                                 std::span<const PlottedMesh> meshes,
                                 std::initializer_list<Plot> plots) {
   for (const PlottedMesh& mesh : meshes) {
-    const auto sequences = plotted_sequences(laboratory, exhibit.name, mesh, exhibit.tables);
-    if (!sequences) return sequences.error();
+    auto halves = plotted_tables(laboratory, exhibit.name, mesh);
+    if (!halves) return halves.error();
+    const std::vector<PlottedSequence> lines = plotted_lines(*halves);
     for (const Plot plot : plots)
-      exhibit.pictures.push_back(plot_picture(exhibit.name, mesh, plot, *sequences));
+      exhibit.pictures.push_back(plot_picture(exhibit.name + "-" + std::string(mesh.name),
+                                              std::string(mesh.title), plot, lines));
+    std::ranges::move(*halves, std::back_inserter(exhibit.tables));
   }
   return exhibit;
 }
@@ -215,9 +219,10 @@ Status add_sweep(Laboratory& laboratory, Exhibit& exhibit, const std::string& pa
   }
   for (ExhibitRow& row : table.rows) row.cells.resize(table.columns.size());
   const std::string name = exhibit.name + "-" + parameter;
-  exhibit.pictures.push_back({name + "-sizes", "nodes by level", size_chart(sequences, false)});
   exhibit.pictures.push_back(
-      {name + "-log-sizes", "nodes by level, logarithmic", size_chart(sequences, true)});
+      {name + "-sizes", "nodes by level", size_chart(sequences, Plot::kSizes)});
+  exhibit.pictures.push_back(
+      {name + "-log-sizes", "nodes by level, logarithmic", size_chart(sequences, Plot::kLogSizes)});
   exhibit.pictures.push_back(
       {name + "-angles", "average smallest angle by size of the level", angle_chart(sequences)});
   exhibit.tables.push_back(std::move(table));
@@ -260,13 +265,20 @@ void add_drawings(Exhibit& exhibit, const PlottedMesh& mesh, const Hierarchy& fu
 
 }  // namespace
 
+void add_sequence_charts(Exhibit& exhibit) {
+  const std::vector<PlottedSequence> lines = plotted_lines(exhibit.tables);
+  for (const Plot plot : {Plot::kLogSizes, Plot::kAngles}) {
+    exhibit.pictures.push_back(plot_picture(exhibit.name, exhibit.title, plot, lines));
+    exhibit.pictures.back().repeats = true;
+  }
+}
+
 Result<Exhibit> parameter_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   const auto mesh = laboratory.mesh("airfoil1");
   if (!mesh) return mesh.error();
-  const std::size_t runs = laboratory.run_count({.thesis_runs = kSweepRuns});
-  exhibit.notes.push_back("AIRFOIL 1: " + (*mesh)->origin + "; " + std::to_string(runs) +
-                          (runs == 1 ? " run" : " runs") +
-                          " of each setting; the thesis prints no figures, only the plots.");
+  exhibit.notes.push_back("AIRFOIL 1: " + (*mesh)->origin + "; of each setting " +
+                          laboratory.runs_text({.thesis_runs = kSweepRuns}) +
+                          "; the thesis prints no figures, only the plots.");
   for (auto& [parameter, settings] :
        {std::pair{"C", factor_settings()}, std::pair{"beta", beta_settings()}})
     if (Status status = add_sweep(laboratory, exhibit, parameter, settings); !status)

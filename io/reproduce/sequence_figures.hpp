@@ -9,6 +9,9 @@ namespace wellspaced {
 
 // Each adds to an exhibit that has its name and title. Errors: those of Laboratory::runs.
 
+/// Adds charts of the sizes and angles to an exhibit of two tables by level_table, for its files.
+void add_sequence_charts(Exhibit& exhibit);
+
 /// Figure 8.5: C from 2 to 10 at beta 25, and beta from 5 to 50 at C 5, on AIRFOIL 1.
 Result<Exhibit> parameter_exhibit(Laboratory& laboratory, Exhibit exhibit);
 

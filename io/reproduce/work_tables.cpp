@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "wellspaced/io/pictures/chart.hpp"
 #include "wellspaced/io/reproduce/published.hpp"
+#include "wellspaced/io/text/text_writer.hpp"
 
 namespace wellspaced {
 namespace {
@@ -118,16 +120,43 @@ ExhibitTable work_table(const WorkTable& source, std::span<const WorkColumns> co
   return table;
 }
 
+// A line of a chart: the averages of ours, or of the thesis, in a column.
+ChartSeries average_line(const ExhibitTable& table, std::size_t column, CellFigure whose,
+                         unsigned style) {
+  const bool published = whose == &ExhibitCell::published;
+  ChartSeries line{
+      table.columns[column].group + (published ? ", thesis" : ""), {}, style, published};
+  for (std::size_t level = 0; level < table.rows.size(); ++level)
+    if (const auto value = table.rows[level].cells[column].*whose)
+      line.points.push_back({static_cast<double>(level), *value});
+  return line;
+}
+
+// The averages for the larger factor, level by level.
+ExhibitPicture average_picture(const ExhibitTable& table) {
+  Chart chart{.x = {"level"}, .y = {"average"}};
+  constexpr std::size_t kColumnsOfMesh = 4, kAverage = 3;
+  for (unsigned mesh = 0; mesh < std::size(kWorkMeshes); ++mesh)
+    for (const CellFigure whose : {&ExhibitCell::ours, &ExhibitCell::published})
+      chart.series.push_back(average_line(table, mesh * kColumnsOfMesh + kAverage, whose, mesh));
+  std::erase_if(chart.series, [](const ChartSeries& line) { return line.points.empty(); });
+  TextWriter out;
+  write_chart_svg(out, chart);
+  return {table.name, table.title + ", averages", out.text()};
+}
+
 }  // namespace
 
 Result<Exhibit> work_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   const auto columns = work_columns(laboratory);
   if (!columns) return columns.error();
-  for (const WorkTable& source : kWorkTables)
+  for (const WorkTable& source : kWorkTables) {
     exhibit.tables.push_back(work_table(source, *columns));
+    exhibit.pictures.push_back(average_picture(exhibit.tables.back()));
+  }
   exhibit.notes.push_back(
-      "Largest figures of " + std::to_string(laboratory.run_count(work_experiment("crack", 4))) +
-      " runs, as in the thesis, which cuts averages to whole numbers. The coordinates of AIRFOIL 2 "
+      "Largest figures of " + laboratory.runs_text(work_experiment("crack", 4)) +
+      ", as in the thesis, which cuts averages to whole numbers. The coordinates of AIRFOIL 2 "
       "are lost.");
   return exhibit;
 }

@@ -19,10 +19,10 @@ std::vector<RunStatistics> some_runs() {
 TEST(RunFiles, ReadBackAsTheyWere) {
   const test::TemporaryDirectory directory;
   const auto runs = some_runs();
-  const std::string text = runs_text("parameters", runs);
+  const std::string text = runs_json("parameters", runs);
   const auto read = read_runs(directory.write("runs.json", text), "parameters");
   ASSERT_TRUE(read);
-  EXPECT_EQ(runs_text("parameters", *read), text);
+  EXPECT_EQ(runs_json("parameters", *read), text);
   EXPECT_EQ(read->size(), 2u);
   EXPECT_EQ((*read)[1][0].search->max, runs[1][0].search->max);
   EXPECT_FALSE((*read)[1].back().path_depth);
@@ -30,7 +30,7 @@ TEST(RunFiles, ReadBackAsTheyWere) {
 
 TEST(RunFiles, AreNotThoseOfOtherParameters) {
   const test::TemporaryDirectory directory;
-  const std::string path = directory.write("runs.json", runs_text("one", some_runs()));
+  const std::string path = directory.write("runs.json", runs_json("one", some_runs()));
   EXPECT_TRUE(read_runs(path, "one"));
   EXPECT_FALSE(read_runs(path, "other"));
   EXPECT_FALSE(read_runs(directory / "none.json", "one"));
@@ -38,7 +38,7 @@ TEST(RunFiles, AreNotThoseOfOtherParameters) {
 
 TEST(RunFiles, AreNotReadWhenDamaged) {
   const test::TemporaryDirectory directory;
-  const std::string text = runs_text("one", some_runs());
+  const std::string text = runs_json("one", some_runs());
   for (std::size_t length = 0; length + 2 < text.size(); length += 97)
     EXPECT_FALSE(read_runs(directory.write("runs.json", text.substr(0, length)), "one")) << length;
   EXPECT_FALSE(read_runs(directory.write("r.json", R"({"parameters":"one"})"), "one"));
