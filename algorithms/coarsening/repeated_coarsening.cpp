@@ -18,9 +18,8 @@ class RunWatch {
 
   // For the coarsening of a run: whether to go on.
   Progress listener(unsigned worker) {
-    return [this, worker](std::string_view, std::uint64_t, std::uint64_t) {
-      if (worker == 0 && !report(repeat_.progress, "coarsening", finished_, repeat_.runs))
-        stopped_ = true;
+    return [this, worker](std::string_view, std::uint64_t done, std::uint64_t total) {
+      if (worker == 0 && !tell(total == 0 ? 0 : kParts * done / total)) stopped_ = true;
       return !stopped_;
     };
   }
@@ -28,6 +27,13 @@ class RunWatch {
   void finish_run() { ++finished_; }
 
  private:
+  static constexpr std::uint64_t kParts = 1000;  // of a run
+
+  // part: how much of its present run the caller's thread has done.
+  bool tell(std::uint64_t part) const {
+    return report(repeat_.progress, "coarsening", kParts * finished_ + part, kParts * repeat_.runs);
+  }
+
   const RepeatOptions& repeat_;
   std::atomic<bool> stopped_ = false;
   std::atomic<std::uint64_t> finished_ = 0;

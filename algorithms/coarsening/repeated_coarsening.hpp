@@ -20,7 +20,7 @@ namespace wellspaced {
 using RunStatistics = std::vector<LevelStatistics>;
 
 /// runs: how many, > 0; run i has the seed options.seed + i. threads: how many runs are made at a
-/// time, > 0; the result does not depend on it. progress: done and total count runs; one phase.
+/// time, > 0; the result does not depend on it. progress: one phase, in thousandths of runs.
 struct RepeatOptions {
   std::size_t runs = 30;
   unsigned threads = 1;

@@ -49,7 +49,7 @@ TEST(RepeatedCoarsening, IsTheSameOnSeveralThreads) {
 
 TEST(RepeatedCoarsening, StopsWhenItIsTold) {
   RepeatOptions repeat{.runs = 50, .threads = 2};
-  repeat.progress = [](std::string_view, std::uint64_t done, std::uint64_t) { return done < 3; };
+  repeat.progress = [](std::string_view, std::uint64_t done, std::uint64_t) { return done < 3000; };
   const auto runs = repeat_coarsening(small_grid, mild_coarsening(), repeat);
   ASSERT_FALSE(runs.ok());
   EXPECT_EQ(runs.error().code, ErrorCode::kCancelled);
