@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "wellspaced/algorithms/audit/vectors.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -100,13 +102,32 @@ void for_each_side(const FacetPolygons& facet, Visit visit) {
     }
 }
 
-// Whether all points of two facets lie in one plane, exactly.
-bool is_flat(const std::vector<Point3>& points, const FacetPolygons& f, const FacetPolygons& g) {
+// Whether points lie within flatness * extent of a plane of three of them, the first two far from
+// each other and the third far from their line.
+bool is_nearly_flat(const std::vector<Point3>& points, double flatness) {
+  const Vec<3> a = coordinates_of(points[0]);
+  Vec<3> along{}, normal{};
+  for (const Point3 p : points)
+    if (const Vec<3> way = difference(coordinates_of(p), a); norm(way) > norm(along)) along = way;
+  for (const Point3 p : points) {
+    const Vec<3> turn = cross_product(along, difference(coordinates_of(p), a));
+    if (norm(turn) > norm(normal)) normal = turn;
+  }
+  const double reach = flatness * norm(along) * norm(normal);
+  return std::all_of(points.begin(), points.end(), [&](Point3 p) {
+    return std::fabs(product(difference(coordinates_of(p), a), normal)) <= reach;
+  });
+}
+
+// Whether all points of two facets lie in one plane: exactly, if the flatness is 0.
+bool is_flat(const std::vector<Point3>& points, const FacetPolygons& f, const FacetPolygons& g,
+             double flatness) {
   if (f.empty() || g.empty() || f[0].size() < 3 || g[0].size() < 3) return false;
   std::vector<Point3> all;
   for (const FacetPolygons* facet : {&f, &g})
     for (const auto& polygon : *facet)
       for (const Index v : polygon) all.push_back(points[v]);
+  if (flatness > 0) return is_nearly_flat(all, flatness);
   const FacetView view(points, f.front());
   for (std::size_t i = 2; i < all.size(); ++i) {
     if (orient2d(view.seen(all[0]), view.seen(all[1]), view.seen(all[i])) == 0) continue;
@@ -117,7 +138,8 @@ bool is_flat(const std::vector<Point3>& points, const FacetPolygons& f, const Fa
 }
 
 // For each facet the lowest one that it is one with.
-std::vector<Index> flat_parts(const Pls& system, const std::vector<FacetPolygons>& facets) {
+std::vector<Index> flat_parts(const Pls& system, const std::vector<FacetPolygons>& facets,
+                              double flatness) {
   std::vector<std::pair<FacetSide, Index>> sides;
   for (Index f = 0; f < facets.size(); ++f)
     for_each_side(facets[f], [&](FacetSide side) { sides.push_back({side, f}); });
@@ -132,7 +154,7 @@ std::vector<Index> flat_parts(const Pls& system, const std::vector<FacetPolygons
     while (end < sides.size() && sides[end].first == sides[i].first) ++end;
     const Index f = sides[i].second, g = sides[end - 1].second;
     if (end - i != 2 || f == g || system.facets[f].marker != system.facets[g].marker) continue;
-    if (!is_flat(system.points, facets[f], facets[g])) continue;
+    if (!is_flat(system.points, facets[f], facets[g], flatness)) continue;
     const Index a = root(f), b = root(g);
     part[std::max(a, b)] = std::min(a, b);
   }
@@ -171,8 +193,9 @@ FacetPolygons outline(const FacetPolygons& facet) {
   return polygons;
 }
 
-std::vector<FacetPolygons> united_facets(const Pls& system, std::vector<FacetPolygons> facets) {
-  const std::vector<Index> part = flat_parts(system, facets);
+std::vector<FacetPolygons> united_facets(const Pls& system, std::vector<FacetPolygons> facets,
+                                         double flatness) {
+  const std::vector<Index> part = flat_parts(system, facets, flatness);
   std::vector<Index> pieces(facets.size(), 0);
   for (const Index f : part) ++pieces[f];
   std::vector<FacetPolygons> united;
@@ -184,16 +207,37 @@ std::vector<FacetPolygons> united_facets(const Pls& system, std::vector<FacetPol
   return united;
 }
 
+std::vector<Index> points_named(const std::vector<FacetPolygons>& facets) {
+  std::vector<Index> named;
+  for (const FacetPolygons& facet : facets)
+    for (const auto& polygon : facet) named.insert(named.end(), polygon.begin(), polygon.end());
+  sort_unique(named);
+  return named;
+}
+
+// The points that facets named before they were united, and nothing names since.
+std::vector<Index> lost_points(const std::vector<Index>& before, const PolyhedralDomain& domain) {
+  std::vector<Index> kept = points_named(domain.facets), lost;
+  for (const Segment& s : domain.segments) kept.insert(kept.end(), {s.a, s.b});
+  sort_unique(kept);
+  std::set_difference(before.begin(), before.end(), kept.begin(), kept.end(),
+                      std::back_inserter(lost));
+  return lost;
+}
+
 }  // namespace
 
-PolyhedralDomain domain_of(const Pls& system) {
+PolyhedralDomain domain_of(const Pls& system, double flatness) {
   PolyhedralDomain domain;
   domain.points = system.points;
   domain.segments = system.segments;
   domain.holes = system.holes;
   std::vector<FacetPolygons> facets;
   for (const Pls::Facet& facet : system.facets) facets.push_back(polygons_of(system, facet));
-  domain.facets = united_facets(system, std::move(facets));
+  const std::vector<Index> named = points_named(facets);
+  domain.facets = united_facets(system, std::move(facets), flatness);
+  domain.inner_points = lost_points(named, domain);
+  domain.flatness = flatness;
   return domain;
 }
 

@@ -137,6 +137,7 @@ struct FacetPlane {
   Point3 a, b, c;
   Point3 unit;  // of the facet's largest coordinates
   double units = 2;
+  double reach = 0;  // but no less than this
 
   // Whether a, b and c are on one line, as all projections show.
   bool is_degenerate() const {
@@ -145,7 +146,8 @@ struct FacetPlane {
   }
 
   bool contains(Point3 p) const {
-    const Point3 half{units * unit.x, units * unit.y, units * unit.z};
+    const Point3 half{std::max(reach, units * unit.x), std::max(reach, units * unit.y),
+                      std::max(reach, units * unit.z)};
     return vanishes_near(p, half, [&](Point3 q) { return orient3d(a, b, c, q); });
   }
 };
@@ -156,7 +158,7 @@ double area_sq(Point3 a, Point3 b, Point3 c) {
   return x * x + y * y + z * z;
 }
 
-FacetPlane plane_of(const std::vector<Point3>& points, double units) {
+FacetPlane plane_of(const std::vector<Point3>& points, double units, double flatness) {
   FacetPlane plane{points[0], points[0], points[0], rounding_box(points[0], points[0], 1), units};
   for (const Point3& p : points) {
     const Point3 unit = rounding_box(p, p, 1);
@@ -167,6 +169,7 @@ FacetPlane plane_of(const std::vector<Point3>& points, double units) {
     if (distance_sq(plane.a, p) > distance_sq(plane.a, plane.b)) plane.b = p;
   for (const Point3& p : points)
     if (area_sq(plane.a, plane.b, p) > area_sq(plane.a, plane.b, plane.c)) plane.c = p;
+  plane.reach = flatness * std::sqrt(distance_sq(plane.a, plane.b));
   const auto holds_all = [&] {
     return std::all_of(points.begin(), points.end(), [&](Point3 p) { return plane.contains(p); });
   };
@@ -327,8 +330,11 @@ class DomainAudit {
  private:
   void audit_points(Report& report) const {
     Check& check = report.add_check("domain_points_are_nodes", Item::kDomainPoint, true);
+    const std::vector<Index>& inner = domain_.inner_points;
     for (Index i = 0; i < domain_.points.size(); ++i)
-      if (index_.node_at(domain_.points[i]) == kNoIndex) check.violate({i});
+      if (index_.node_at(domain_.points[i]) == kNoIndex &&
+          !std::binary_search(inner.begin(), inner.end(), i))
+        check.violate({i});
   }
 
   void audit_segments(Report& report) {
@@ -379,7 +385,7 @@ class DomainAudit {
         for (const NodePair& edge : find_chain(a, b)) edges[edge] = !edges[edge];
       });
     if (edges.empty()) return false;
-    const FacetPlane plane = plane_of(points, least_allowance_);
+    const FacetPlane plane = plane_of(points, least_allowance_, domain_.flatness);
     if (plane.is_degenerate()) return false;
     allowance_ = std::max(allowance_, plane.units);
     FacetCover cover(mesh_, faces_, index_, plane);

@@ -27,7 +27,8 @@ struct SolidToMeet {
 /// A node counts as on a line or plane if that passes through the box around the node whose half
 /// sides are `allowance` units in the last place of the largest coordinates of the segment or
 /// facet. For a facet whose own points are not in one plane that exactly, the allowance is doubled
-/// until they are. A facet whose points are all on one line is no union of faces. Measure:
+/// until they are; and where the domain has a flatness, the half sides are at least that part of
+/// the facet's extent. A facet whose points are all on one line is no union of faces. Measure:
 /// facet_allowance, the largest such allowance. Where two nodes lie at one place, as on the two
 /// sides of a crack, one of them is followed.
 ///

@@ -29,10 +29,12 @@
 namespace wellspaced::cli {
 namespace {
 
-constexpr std::array<Option, 8> kOptions = {{
+constexpr std::array<Option, 9> kOptions = {{
     {"--domain", "FILE", "the domain that the mesh must conform to"},
     {"--allowance", "ULPS",
      "how far rounding may put nodes off its segments, in units in the last place (2)"},
+    {"--flatness", "X",
+     "facets in space are in one plane to within this part of their extent (0: exactly)"},
     {"--spacing", "FILE|nn", "judge how the nodes are spaced by f, one value a line; nn: by NN"},
     {"--lfs", "FILE", "the same for a packing, by its local feature size"},
     {"--beta", "B", "the spacing constant that is claimed"},
@@ -78,13 +80,13 @@ Status read_requirements(const std::string& path, Demands& demands) {
   return Ok{};
 }
 
-Status read_domain(const std::string& path, Demands& demands) {
+Status read_domain(const std::string& path, double flatness, Demands& demands) {
   auto geometry = read_geometry(path);
   if (!geometry) return geometry.error();
   if (geometry->dimension == 2) {
     demands.domain = to_pslg(std::move(*geometry));
   } else {
-    demands.solid_domain = audit::domain_of(to_pls(std::move(*geometry)));
+    demands.solid_domain = audit::domain_of(to_pls(std::move(*geometry)), flatness);
   }
   return Ok{};
 }
@@ -107,6 +109,7 @@ Result<Demands> read_demands(Arguments& arguments) {
   demands.spacing = arguments.text("--lfs", arguments.text("--spacing", ""));
   demands.beta = arguments.number("--beta", 0, more_than(0));
   demands.allowance = arguments.number("--allowance", demands.allowance, at_least(0));
+  const double flatness = arguments.number("--flatness", 0, between(0, 0.001));
   if (!arguments.status()) return arguments.status().error();
   for (const std::string& text : arguments.values("--require")) {
     const Status status = text.rfind('@', 0) == 0 ? read_requirements(text.substr(1), demands)
@@ -114,7 +117,7 @@ Result<Demands> read_demands(Arguments& arguments) {
     if (!status) return status.error();
   }
   if (const auto path = arguments.value("--domain"))
-    if (Status status = read_domain(*path, demands); !status) return status.error();
+    if (Status status = read_domain(*path, flatness, demands); !status) return status.error();
   return demands;
 }
 

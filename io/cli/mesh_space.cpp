@@ -40,6 +40,7 @@ PackingOptions3 read_options(Arguments& arguments) {
   if (arguments.has("--size")) {
     const double size = arguments.number("--size", 1, more_than(0));
     options.size = [size](Point3) { return size; };
+    options.size_slope = 0;
   }
   return options;
 }

@@ -53,6 +53,26 @@ inline Pls triangulated_cube() {
   return domain;
 }
 
+/// A square tube, 3 wide and 3 high with a bore of 1, of triangles.
+inline Pls triangulated_tube() {
+  Pls domain;
+  for (int ring = 0; ring < 4; ++ring) {  // outer and inner below, outer and inner above
+    const double low = ring % 2, high = 3 - low, z = ring < 2 ? 0 : 3;
+    domain.points.insert(domain.points.end(),
+                         {{low, low, z}, {high, low, z}, {high, high, z}, {low, high, z}});
+  }
+  const auto strip = [&](Index ring, Index other) {
+    for (Index i = 0; i < 4; ++i) {
+      const Index a = 4 * ring + i, b = 4 * ring + (i + 1) % 4;
+      const Index c = 4 * other + (i + 1) % 4, d = 4 * other + i;
+      domain.facets.push_back(polygon({a, b, c}));
+      domain.facets.push_back(polygon({a, c, d}));
+    }
+  };
+  strip(0, 1), strip(2, 3), strip(0, 2), strip(1, 3);
+  return domain;
+}
+
 /// A prism over a polygon of the plane, from z = 0 to `height`.
 inline Pls prism(const std::vector<Point2>& base, double height) {
   Pls domain;

@@ -249,6 +249,7 @@ void FeatureSize3::Cursor::explore(Point3 x, Place& place) const {
   constexpr double kRemembered = 2.3, kReach = 0.6;
   const double size = size_->at(x);
   place.centre = x;
+  place.size = size;
   place.reach_sq = kReach * kReach * size * size;
   place.items.clear();
   size_->visit_by_distance(x, [&](Index number, double distance_sq) {
@@ -274,9 +275,17 @@ const FeatureSize3::Cursor::Place& FeatureSize3::Cursor::place_of(Point3 x) {
   return places_.front();
 }
 
-double FeatureSize3::Cursor::at(Point3 x) {
-  constexpr std::size_t kMany = 80;  // so many that the tree is as good
+double FeatureSize3::Cursor::at(Point3 x) { return at_near(place_of(x), x); }
+
+double FeatureSize3::Cursor::capped(Point3 x, double cap) {
   const Place& place = place_of(x);
+  const double room = place.size - cap;
+  if (room > 0 && length_sq(x - place.centre) <= room * room) return cap;
+  return std::min(cap, at_near(place, x));
+}
+
+double FeatureSize3::Cursor::at_near(const Place& place, Point3 x) const {
+  constexpr std::size_t kMany = 80;  // so many that the tree is as good
   const std::size_t count = place.items.size();
   if (count > kMany || !(place.reach_sq < kNoSize)) return size_->at(x);
   std::array<std::pair<double, Index>, kMany> by_distance;

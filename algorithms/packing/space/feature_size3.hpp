@@ -44,13 +44,18 @@ class FeatureSize3 {
     explicit Cursor(const FeatureSize3& size) : size_(&size) {}
     double at(Point3 x);
 
+    /// The smaller of at(x) and `cap`: in no time where the cap is far below.
+    double capped(Point3 x, double cap);
+
    private:
     struct Place {
       Point3 centre;
+      double size = 0;       // at the centre
       double reach_sq = -1;  // how far from the centre, squared, its items will do
       std::vector<Index> items;
     };
     const Place& place_of(Point3 x);
+    double at_near(const Place& place, Point3 x) const;
     void explore(Point3 x, Place& place) const;
 
     const FeatureSize3* size_;

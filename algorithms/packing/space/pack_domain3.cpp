@@ -20,6 +20,8 @@ constexpr double kLeastBeta = 9.8284271247461900976;  // 7 + 2 sqrt 2
 Status check_packing_options(const PackingOptions3& options) {
   if (!(options.beta > 3) || !std::isfinite(options.beta))
     return Error{ErrorCode::kUsage, "beta must be more than 3", {}};
+  if (!(options.size_slope >= 0))
+    return Error{ErrorCode::kUsage, "the slope of the size must not be negative", {}};
   if (!(options.flatness >= 0 && options.flatness <= 0.001))
     return Error{ErrorCode::kUsage, "the flatness may be 0 to 0.001", {}};
   return Ok{};
@@ -116,9 +118,15 @@ Pls scaled_system(Pls domain, double scale) {
 
 BallRadius3 radius_function(const FeatureSize3& features, const PackingOptions3& options) {
   return [&options, cursor = FeatureSize3::Cursor(features)](Point3 p) mutable {
-    const double own = cursor.at(p) / options.beta;
-    return options.size ? std::min(own, options.size(p) / 2) : own;
+    if (!options.size) return cursor.at(p) / options.beta;
+    const double own = options.size(p) / 2;
+    return std::min(own, cursor.capped(p, own * options.beta) / options.beta);
   };
+}
+
+double slope_of(const PackingOptions3& options) {
+  const double own = 1 / options.beta;
+  return options.size ? std::max(own, options.size_slope / 2) : own;
 }
 
 Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& options) {
@@ -131,7 +139,7 @@ Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& o
 
   SurfaceOptions surface_options;
   surface_options.radius = radius_function(features, options);
-  surface_options.slope = options.size ? 1 : 1 / options.beta;
+  surface_options.slope = slope_of(options);
   surface_options.max_points = options.max_points;
   surface_options.progress = options.progress;
   const auto surface = pack_surface(*complex, surface_options);
@@ -150,6 +158,8 @@ Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& o
   PackedTets packed = finish_tets(domain, *complex, *surface, std::move(*solids));
   packed.notes = complex->notes;
   describe_outside(*complex, *surface, packed, packed.notes);
+  if (options.size && slope_of(options) > 1 / options.beta)
+    packed.notes.push_back("no guarantee: the size is not known to grow by 2 / beta at most");
   if (!(options.beta > kLeastBeta))
     packed.notes.push_back("no guarantee: beta is not above 7 + 2 sqrt 2 = 9.83");
   return packed;

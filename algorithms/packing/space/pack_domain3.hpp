@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,18 +15,21 @@
 
 namespace wellspaced {
 
-/// How far apart nodes should be at a point: positive; it should grow by at most 2 / beta per unit
-/// of length, or there is no guarantee.
+/// How far apart nodes should be at a point: positive.
 using SizeFunction3 = std::function<double(Point3)>;
 
 /// beta: the point-ball of a node p has the radius lfs(p) / beta, lfs the local feature size; more
 ///   than 3. The larger, the better the tets and the more the nodes.
 /// size: lowers the spacing: balls are no larger than size / 2. Empty: not lowered.
+/// size_slope: the size grows by at most this much per unit of length; infinite if nothing is
+/// known.
+///   Only up to 2 / beta is there a guarantee.
 /// flatness: the tolerance for planes and right angles; 0 to 0.001.
 /// max_points: where to stop.
 struct PackingOptions3 {
   double beta = 10;
   SizeFunction3 size;
+  double size_slope = std::numeric_limits<double>::infinity();
   double flatness = kFlatness;
   std::size_t max_points = std::size_t{1} << 26;
   Progress progress;

@@ -111,19 +111,46 @@ Pslg graph_of(const std::vector<Point3>& points, const Pls::Facet& facet,
   return graph;
 }
 
+double doubled_area(const Delaunay2& delaunay, Index t) {
+  const auto& [a, b, c] = delaunay.topology().vertices(t);
+  const Point2 p = delaunay.points()[a], q = delaunay.points()[b], r = delaunay.points()[c];
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
+
+double extent_of_points(const std::vector<Point2>& points) {
+  const Box2 box = Box2::around(points);
+  return distance(box.low, box.high);
+}
+
+// Facets that were merged are a union of polygons. Where that leaves holes, as at the end of a
+// tube, its outline tells: what is an even number of its edges deep. `graph` receives points in
+// them.
+Status find_holes_of_union(const Pls::Facet& facet, const PolyhedralComplex::Facet& flat,
+                           const std::vector<Point3>& points, double flatness, Pslg& graph) {
+  Pls::Facet outline = facet;
+  std::erase_if(outline.polygons, [](const Corners3& polygon) { return polygon.size() < 3; });
+  const Pslg bounds = graph_of(points, outline, flat);
+  const auto closed = triangulate(bounds, {HoleRule::kParity, CrossingRule::kRefuse, {}});
+  if (!closed) return closed.error();
+  const double extent = extent_of_points(bounds.points);
+  for (Index t = 0; t < closed->delaunay.topology().size(); ++t) {
+    if (closed->in_domain[t] || closed->delaunay.topology().is_ghost(t)) continue;
+    if (!(doubled_area(closed->delaunay, t) > flatness * flatness * extent * extent)) continue;
+    const auto& [a, b, c] = closed->delaunay.topology().vertices(t);
+    const auto& p = closed->delaunay.points();
+    graph.holes.push_back({(p[a].x + p[b].x + p[c].x) / 3, (p[a].y + p[b].y + p[c].y) / 3});
+  }
+  return Ok{};
+}
+
 // Whether the triangles that cover the facet cover the hull of its points, but for flat ones.
 bool covers_hull(const PlanarTriangulation& graph, double flatness) {
   const Triangulation2& topology = graph.delaunay.topology();
-  const std::vector<Point2>& points = graph.delaunay.points();
-  const Box2 box = Box2::around(points);
-  const double extent = distance(box.low, box.high);
-  for (Index t = 0; t < topology.size(); ++t) {
-    if (graph.in_domain[t] || topology.is_ghost(t)) continue;
-    const auto& [a, b, c] = topology.vertices(t);
-    const Point2 p = points[a], q = points[b], r = points[c];
-    const double doubled_area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-    if (doubled_area > flatness * extent * extent) return false;
-  }
+  const double extent = extent_of_points(graph.delaunay.points());
+  for (Index t = 0; t < topology.size(); ++t)
+    if (!graph.in_domain[t] && !topology.is_ghost(t) &&
+        doubled_area(graph.delaunay, t) > flatness * extent * extent)
+      return false;
   return true;
 }
 
@@ -131,9 +158,14 @@ Error facet_error(Index facet, const std::string& what) {
   return {ErrorCode::kInvalidGeometry, "facet " + std::to_string(facet) + " " + what, {facet}};
 }
 
+// Whether a facet is one of the domain, or a union of several.
+enum class Origin { kGiven, kMerged };
+
 // The facet but for the numbers of its segments, which `edges` receives.
-Result<PolyhedralComplex::Facet> flatten(const Pls& domain, const Pls::Facet& facet, Index source,
-                                         double flatness, std::vector<Segment>& edges) {
+Result<PolyhedralComplex::Facet> flatten(const Pls& domain, Index number, Index source,
+                                         Origin origin, double flatness,
+                                         std::vector<Segment>& edges) {
+  const Pls::Facet& facet = domain.facets[number];
   PolyhedralComplex::Facet flat;
   flat.source = source;
   flat.marker = facet.marker;
@@ -141,7 +173,10 @@ Result<PolyhedralComplex::Facet> flatten(const Pls& domain, const Pls::Facet& fa
   for (const Corners3& polygon : facet.polygons)
     flat.points.insert(flat.points.end(), polygon.begin(), polygon.end());
   sort_unique(flat.points);
-  const Pslg graph = graph_of(domain.points, facet, flat);
+  Pslg graph = graph_of(domain.points, facet, flat);
+  if (origin == Origin::kMerged)
+    if (Status s = find_holes_of_union(facet, flat, domain.points, flatness, graph); !s)
+      return facet_error(source, "is no polygon: " + s.error().message);
   const auto closed = triangulate(graph, {HoleRule::kSeeds, CrossingRule::kRefuse, {}});
   if (!closed) return facet_error(source, "is no polygon: " + closed.error().message);
   if (closed->delaunay.duplicate_count() > 0)
@@ -212,12 +247,17 @@ Result<PolyhedralComplex> build_complex(const Pls& input, double flatness) {
   PolyhedralComplex complex;
   complex.points = input.points;
   std::vector<Index> source(merged->domain.facets.size(), kNoIndex);
-  for (Index f = 0; f < merged->merged_into.size(); ++f)
-    source[merged->merged_into[f]] = std::min(source[merged->merged_into[f]], f);
+  std::vector<Origin> origin(source.size(), Origin::kGiven);
+  for (Index f = 0; f < merged->merged_into.size(); ++f) {
+    const Index into = merged->merged_into[f];
+    if (source[into] != kNoIndex) origin[into] = Origin::kMerged;
+    source[into] = std::min(source[into], f);
+  }
   std::vector<std::vector<Segment>> edges(source.size());
   std::vector<Segment> segments = merged->domain.segments;
   for (std::size_t f = 0; f < source.size(); ++f) {
-    auto facet = flatten(merged->domain, merged->domain.facets[f], source[f], flatness, edges[f]);
+    auto facet =
+        flatten(merged->domain, static_cast<Index>(f), source[f], origin[f], flatness, edges[f]);
     if (!facet) return facet.error();
     complex.facets.push_back(std::move(*facet));
     segments.insert(segments.end(), edges[f].begin(), edges[f].end());

@@ -46,6 +46,15 @@ Circumsphere sphere_of(Point3 a, Point3 b, Point3 c, Point3 d) {
   return {a + offset, length(offset)};
 }
 
+template <class Test>
+bool any_rim_vertex(const Triangulation3::Cavity& cavity, Test test) {
+  return std::any_of(cavity.rim.begin(), cavity.rim.end(), [&](const auto& rim) {
+    for (unsigned i = 0; i < 4; ++i)
+      if (i != rim.corner && test(rim.vertex[i])) return true;
+    return false;
+  });
+}
+
 // The Delaunay triangulation while it is packed.
 //
 // Vertices: the surface's points, the far ones, then new ones. What is kept for each tet, its
@@ -85,7 +94,6 @@ class SolidPacking {
   bool keep_going();
   Status try_tet(Index t);
   Status try_ball(Index t, const Circumsphere& sphere, double radius, bool is_certain);
-  bool may_remove(const Triangulation3::Cavity& cavity, Point3 p) const;
   bool is_protected(const Tet& corners, Point3 p) const;
   void push(Index t) {
     if (waits_[t]) return;
@@ -309,19 +317,16 @@ Status SolidPacking::try_tet(Index t) {
 Status SolidPacking::try_ball(Index t, const Circumsphere& sphere, double radius, bool is_certain) {
   const Index region = region_of_[t];
   const Point3 p = sphere.centre;
+  const auto meets_ball = [&](Index w) {
+    const Point3 way = p - point(w);
+    const double reach = radius + radius_[w];
+    return dot(way, way) < reach * reach;
+  };
   const auto accepts = [&](const Triangulation3::Cavity& cavity) {
-    const bool is_disjoint =
-        is_certain || std::none_of(cavity.rim.begin(), cavity.rim.end(), [&](const auto& rim) {
-          for (unsigned i = 0; i < 4; ++i)
-            if (i != rim.corner &&
-                length(p - point(rim.vertex[i])) < radius + radius_[rim.vertex[i]])
-              return true;
-          return false;
-        });
-    return is_disjoint &&
-           std::all_of(cavity.tets.begin(), cavity.tets.end(),
-                       [&](Index u) { return region_of_[u] == region; }) &&
-           may_remove(cavity, p);
+    if (!is_certain && any_rim_vertex(cavity, meets_ball)) return false;
+    return std::all_of(cavity.tets.begin(), cavity.tets.end(), [&](Index u) {
+      return region_of_[u] == region && !is_protected(topology().vertices(u), p);
+    });
   };
   const auto v = delaunay_.insert_if(p, t, accepts);
   if (!v) return v.error();
@@ -332,13 +337,8 @@ Status SolidPacking::try_ball(Index t, const Circumsphere& sphere, double radius
   return Ok{};
 }
 
-// Whether p is in no protective sphere. Those that it is in are spheres of faces and edges of tets
-// that it would remove: a face's smallest sphere lies within the spheres of its two tets together.
-bool SolidPacking::may_remove(const Triangulation3::Cavity& cavity, Point3 p) const {
-  return std::none_of(cavity.tets.begin(), cavity.tets.end(),
-                      [&](Index t) { return is_protected(topology().vertices(t), p); });
-}
-
+// Whether p is in the protective sphere of a face or edge of a tet that it would remove. There are
+// no others: such a sphere lies within those of the tets around the face or edge together.
 bool SolidPacking::is_protected(const Tet& corners, Point3 p) const {
   std::array<Index, 4> on{};
   std::size_t count = 0;

@@ -219,6 +219,39 @@ TEST(PolyhedralDomain, UnitesFlatNeighboursOfOneMarker) {
   EXPECT_EQ(audit::domain_of(marked).facets.size(), 7u);
 }
 
+TEST(PolyhedralDomain, UnitesNeighboursThatAreNearlyFlatIfToldTo) {
+  Pls system = box_system(1, true);
+  system.points[0].x -= 1e-9;
+  system.points[7].y += 1e-9;
+  EXPECT_GT(audit::domain_of(system).facets.size(), 6u);
+  EXPECT_EQ(audit::domain_of(system, 1e-10).facets.size(), audit::domain_of(system).facets.size());
+  const auto domain = audit::domain_of(system, 1e-6);
+  ASSERT_EQ(domain.facets.size(), 6u);
+  TetMesh mesh = test::cubes(1, 1, 1, everywhere);
+  for (Point3& p : mesh.points) {
+    if (p == Point3{0, 0, 0}) p.x -= 1e-9;
+    if (p == Point3{1, 1, 1}) p.y += 1e-9;
+  }
+  EXPECT_TRUE(audit_against(mesh, domain).check("domain_facets_are_faces")->pass());
+  EXPECT_TRUE(audit_against(mesh, domain).check("boundary_on_domain")->pass());
+}
+
+TEST(PolyhedralDomain, NeedsNoNodesInsideFlatParts) {
+  Pls system = box_system(3, true);
+  auto& bottom = system.facets[0].polygons[0];
+  const Index a = bottom[0], b = bottom[1], c = bottom[2], middle = system.points.size();
+  system.points.push_back({1.25, 0.5, 0});
+  system.facets[0] = {{{a, b, middle}}, {}, 1};
+  system.facets.push_back({{{b, c, middle}}, {}, 1});
+  system.facets.push_back({{{c, a, middle}}, {}, 1});
+  const auto domain = audit::domain_of(system);
+  EXPECT_EQ(domain.facets.size(), 6u);
+  EXPECT_EQ(domain.inner_points, std::vector<Index>{middle});
+  EXPECT_TRUE(audit_against(test::cubes(3, 3, 3, everywhere), domain)
+                  .check("domain_points_are_nodes")
+                  ->pass());
+}
+
 // The lower square has an inner square of cells as a polygon: an outline unless it is a hole.
 TEST(PolyhedralDomain, TakesAnInnerPolygonForAHoleOnlyWithAHolePoint) {
   Pls system = box_system(3, false);

@@ -36,6 +36,7 @@ std::vector<std::pair<const char*, Pls>> domains() {
   return {{"cube", test::unit_cube()},
           {"triangulated cube", test::triangulated_cube()},
           {"l prism", test::l_prism()},
+          {"triangulated tube", test::triangulated_tube()},
           {"two boxes", test::two_boxes()},
           {"furnished box", test::furnished_box()},
           {"turned cube", test::turned(test::unit_cube())},
@@ -208,6 +209,18 @@ TEST(PackDomain3, FollowsASizeFunction) {
   for (std::size_t v = 0; v < mesh.mesh.points.size(); ++v)
     EXPECT_LE(mesh.radius[v], options.size(mesh.mesh.points[v]) / 2);
   EXPECT_GT(mesh.mesh.points.size(), 2 * packed(test::unit_cube()).mesh.points.size());
+}
+
+// The facets are merged to within their rounding, by the auditor as well.
+TEST(PackDomain3, MeshesTriangulatedSurfacesThatAreRounded) {
+  const Pls domain = test::turned(test::triangulated_tube());
+  const audit::PolyhedralDomain solid = audit::domain_of(domain, 1e-6);
+  ASSERT_EQ(solid.facets.size(), 10u);
+  audit::TetAuditOptions options;
+  options.domain = &solid;
+  const audit::Report report = audit::audit_tet_mesh(packed(domain).mesh, options);
+  EXPECT_TRUE(report.pass());
+  EXPECT_NEAR(report.measure("volume")->value, 24, 1e-9);
 }
 
 TEST(PackDomain3, IsTheSameMeshAtEveryScale) {

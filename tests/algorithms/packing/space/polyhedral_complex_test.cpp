@@ -59,6 +59,16 @@ TEST(PolyhedralComplex, LeavesHolesOfFacetsOpen) {
   EXPECT_EQ(complex.segments.size(), 24u);
 }
 
+TEST(PolyhedralComplex, LeavesTheEndsOfATriangulatedTubeOpen) {
+  for (const Pls& domain : {test::triangulated_tube(), test::turned(test::triangulated_tube())}) {
+    const PolyhedralComplex complex = complex_of(domain);
+    ASSERT_EQ(complex.facets.size(), 10u);
+    double area = 0;
+    for (const auto& facet : complex.facets) area += area_of(complex, facet);
+    EXPECT_NEAR(area, 2 * 8 + 3 * (12 + 4), 1e-12);
+  }
+}
+
 TEST(PolyhedralComplex, KeepsSegmentsAndPointsInsideAndOnFacets) {
   Pls domain = test::furnished_box();
   domain.points.push_back({1, 1, 0});
