@@ -108,6 +108,7 @@ Geometry packed_geometry(const PackedMesh& packed, const Geometry& input) {
   Geometry geometry = to_geometry(packed.mesh, input.index_base);
   geometry.holes = input.holes;
   geometry.regions = input.regions;
+  if (!packed.is_complete) geometry.remark = "incomplete: a limit was hit before the mesh was done";
   if (!packed.attributes.empty()) geometry.cell_attributes = {1, packed.attributes};
   return geometry;
 }

@@ -98,6 +98,7 @@ VtkGrid grid_of(const Geometry& geometry) {
   VtkGrid grid = geometry.dimension == 2 ? vtk_grid(geometry.mesh) : vtk_grid(geometry.solid);
   add_attributes(grid.point_fields, geometry.point_attributes, grid.points.size());
   add_attributes(grid.cell_fields, geometry.cell_attributes, grid.types.size());
+  grid.remark = geometry.remark;
   return grid;
 }
 

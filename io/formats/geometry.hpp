@@ -51,6 +51,9 @@ struct Geometry {
   std::vector<MarkerName> marker_names;
   Index index_base = 0;            ///< the number of the first point in the file, and of all else
   std::vector<std::string> notes;  ///< what a user should know: one line each
+  /// One line without markup that goes into the files as a comment: Triangle's, VTU, VTK, Gmsh,
+  /// Medit, MFEM, SU2, OFF, OBJ. Other formats have no place for it; readers skip comments.
+  std::string remark;
 
   std::size_t point_count() const {
     return dimension == 2 ? mesh.points.size() : solid.points.size();

@@ -200,6 +200,7 @@ void MeditWriter::write_facets(std::size_t corners, const char* keyword) {
 void MeditWriter::write() {
   const TetMesh& solid = geometry_.solid;
   out_ << "MeshVersionFormatted 2\nDimension " << dimension_ << '\n';
+  out_.comment("#", geometry_.remark);
   write_vertices();
   if (!solid.segments.empty()) out_ << "Edges\n" << solid.segments.size() << '\n';
   for (const Segment& s : solid.segments) write_element(std::array{s.a, s.b}, s.marker);

@@ -186,7 +186,9 @@ void MfemWriter::write_vertices() {
 }
 
 void MfemWriter::write() {
-  out_ << kMfemBanner << "\n\ndimension\n" << dimension_ << "\n\nelements\n";
+  out_ << kMfemBanner << '\n';
+  out_.comment("#", geometry_.remark);
+  out_ << "\ndimension\n" << dimension_ << "\n\nelements\n";
   dimension_ == 2 ? write_facets() : write_tets();
   out_ << "\nboundary\n";
   dimension_ == 2 ? write_segments() : write_facets();

@@ -108,6 +108,7 @@ class ObjWriter {
   ObjWriter(TextWriter& out, const Geometry& geometry) : out_(out), geometry_(geometry) {}
 
   void write() {
+    out_.comment("#", geometry_.remark);
     for (const auto& [x, y, z] : geometry_.solid.points)
       out_ << "v " << x << ' ' << y << ' ' << z << '\n';
     for_each_face(geometry_, [this](std::span<const Index> corners, int marker) {

@@ -75,8 +75,9 @@ Result<Geometry> OffParser::parse() {
 
 void write_off_text(TextWriter& out, const Geometry& geometry) {
   const TetMesh& solid = geometry.solid;
-  out << "OFF\n"
-      << solid.points.size() << ' ' << solid.facets.size() + geometry.polygons.size() << " 0\n";
+  out << "OFF\n";
+  out.comment("#", geometry.remark);
+  out << solid.points.size() << ' ' << solid.facets.size() + geometry.polygons.size() << " 0\n";
   for (const auto& [x, y, z] : solid.points) out << x << ' ' << y << ' ' << z << '\n';
   for_each_face(geometry, [&](std::span<const Index> corners, int) {
     out << corners.size();

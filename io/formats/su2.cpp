@@ -159,6 +159,7 @@ void Su2Writer::write_boundaries(const std::vector<Element>& elements, Write wri
 
 void Su2Writer::write() {
   const TetMesh& solid = geometry_.solid;
+  out_.comment("%", geometry_.remark);
   out_ << "NDIME= " << dimension_
        << "\nNELEM= " << (dimension_ == 2 ? solid.facets.size() : solid.tets.size()) << '\n';
   if (dimension_ == 2)

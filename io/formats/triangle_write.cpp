@@ -32,6 +32,7 @@ void write_point_lines(TextWriter& out, const std::vector<Point>& points,
 }
 
 void write_point_header(TextWriter& out, const Geometry& geometry, std::size_t count) {
+  out.comment("#", geometry.remark);
   out << count << ' ' << geometry.dimension << ' ' << geometry.point_attributes.columns << ' '
       << (geometry.point_markers().empty() ? 0 : 1) << '\n';
 }
@@ -47,6 +48,7 @@ void write_points_or_header(TextWriter& out, const Geometry& geometry, PolyPoint
 template <std::size_t kCorners>
 void write_cells(TextWriter& out, const std::vector<std::array<Index, kCorners>>& cells,
                  const Geometry& geometry) {
+  out.comment("#", geometry.remark);
   out << cells.size() << ' ' << kCorners << ' ' << geometry.cell_attributes.columns << '\n';
   for (std::size_t t = 0; t < cells.size(); ++t) {
     out << t + geometry.index_base;
@@ -97,6 +99,7 @@ void write_smesh(TextWriter& out, const Geometry& geometry, PolyPoints points) {
 void write_face(TextWriter& out, const Geometry& geometry) {
   const Index base = geometry.index_base;
   const auto& facets = geometry.solid.facets;
+  out.comment("#", geometry.remark);
   out << facets.size() << " 1\n";
   for (std::size_t i = 0; i < facets.size(); ++i) {
     out << i + base;
@@ -136,6 +139,7 @@ void write_edge(TextWriter& out, const Geometry& geometry) {
       std::unique(edges.begin(), edges.end(),
                   [&](const Segment& s, const Segment& t) { return ends(s) == ends(t); });
   edges.erase(last, edges.end());
+  out.comment("#", geometry.remark);
   write_segments(out, edges, geometry.index_base);
 }
 

@@ -26,6 +26,7 @@ struct VtkGrid {
   std::vector<std::int64_t> connectivity, offsets;
   std::vector<std::uint8_t> types;  ///< VTK's: kVtkLine, ...
   std::vector<VtkField> point_fields, cell_fields;
+  std::string remark;  ///< as in Geometry
 };
 inline constexpr std::uint8_t kVtkEmpty = 0, kVtkVertex = 1, kVtkPolyVertex = 2, kVtkLine = 3,
                               kVtkPolyLine = 4, kVtkTriangle = 5, kVtkPolygon = 7, kVtkQuad = 9,

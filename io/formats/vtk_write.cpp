@@ -79,7 +79,8 @@ void VtkWriter::write_fields(const char* section, std::size_t count,
 }
 
 void VtkWriter::write(const VtkGrid& grid) {
-  out_ << "# vtk DataFile Version 3.0\nwellspaced\n"
+  out_ << "# vtk DataFile Version 3.0\n"
+       << (grid.remark.empty() ? "wellspaced" : grid.remark) << '\n'
        << (encoding_ == VtkEncoding::kAscii ? "ASCII" : "BINARY")
        << "\nDATASET UNSTRUCTURED_GRID\nPOINTS " << grid.points.size() << " double\n";
   for (const Point3& p : grid.points) {

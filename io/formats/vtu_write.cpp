@@ -93,8 +93,9 @@ std::vector<double> coordinates(const std::vector<Point3>& points) {
 
 void VtuWriter::write(const VtkGrid& grid) {
   const std::vector<double> points = coordinates(grid.points);
-  out_ << "<?xml version=\"1.0\"?>\n"
-          "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+  out_ << "<?xml version=\"1.0\"?>\n";
+  if (!grid.remark.empty()) out_ << "<!-- " << grid.remark << " -->\n";
+  out_ << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
           "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
        << grid.points.size() << "\" NumberOfCells=\"" << grid.types.size() << "\">\n<Points>\n";
   write_array("Points", 3, points);

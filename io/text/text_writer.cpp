@@ -38,6 +38,10 @@ TextWriter& TextWriter::append_integer(std::int64_t value) {
   return *this << to_text(value, space);
 }
 
+void TextWriter::comment(std::string_view mark, std::string_view text) {
+  if (!text.empty()) *this << mark << ' ' << text << '\n';
+}
+
 bool TextWriter::flush() {
   if (stream_ == nullptr) return true;
   errno = 0;

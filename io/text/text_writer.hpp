@@ -37,6 +37,9 @@ class TextWriter {
   /// What is collected and not passed on.
   const std::string& text() const { return buffer_; }
 
+  /// Writes a line of comment, if there is any; `mark` begins comments in the format.
+  void comment(std::string_view mark, std::string_view text);
+
  private:
   TextWriter& append_integer(std::int64_t value);
 

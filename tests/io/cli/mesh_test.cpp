@@ -55,6 +55,7 @@ TEST(MeshCommand, MeshesADomainThatTheAuditPasses) {
     EXPECT_TRUE(answer[key].exists()) << key;
   EXPECT_EQ(audit(directory, domain), 0);
   const std::string node = read_bytes(directory / "m.node");
+  EXPECT_EQ(node.find("incomplete"), std::string::npos);
   EXPECT_NE(node.find("\n1 0 0"), std::string::npos) << "the input's points first, from 1";
 }
 
@@ -74,6 +75,8 @@ TEST(MeshCommand, StopsAtMaxPointsWithAValidMarkedMesh) {
   EXPECT_FALSE(answer["complete"].is_true());
   EXPECT_LE(answer["nodes"].number(), 500);
   EXPECT_EQ(audit(directory, domain), 0);
+  for (const char* name : {"m.node", "m.ele", "m.poly"})
+    EXPECT_EQ(read_bytes(directory / name).rfind("# incomplete: ", 0), 0u) << name;
 }
 
 TEST(MeshCommand, ListsWhatIsWithoutGuaranteeAtSmallAngles) {

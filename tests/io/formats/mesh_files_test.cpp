@@ -137,6 +137,25 @@ TEST(MeshFormats, SurviveDamageAndAreKnownByTheirContent) {
   }
 }
 
+TEST(MeshFormats, TakeARemarkWithoutHarm) {
+  const auto expect_remark_in = [](const char* name) {
+    SCOPED_TRACE(name);
+    const Format& format = format_named(name);
+    Geometry g = random_mesh(3, false);
+    const Geometry bare = parsed(format.parse, written_by(format.write, g));
+    g.remark = "incomplete: 3 of 4";
+    const std::string text = written_by(format.write, g);
+    EXPECT_NE(text.find(g.remark), std::string::npos);
+    EXPECT_TRUE(format.recognise(text));
+    const Geometry back = parsed(format.parse, text);
+    EXPECT_EQ(back.mesh.points, bare.mesh.points);
+    EXPECT_EQ(back.mesh.triangles, bare.mesh.triangles);
+    EXPECT_EQ(back.mesh.segments, bare.mesh.segments);
+  };
+  for (const MeshFormat& kept : kMeshFormats) expect_remark_in(kept.name);
+  for (const char* surface : {"off", "obj"}) expect_remark_in(surface);
+}
+
 TEST(MeshFormats, KeepTheNamesOfMarkers) {
   Geometry g = random_mesh(3, false);
   g.mesh.segments[0].marker = 1;
