@@ -220,16 +220,14 @@ class PlanarGaps {
   PlanarGaps(const Vec<3>& c, const Vec<3>& normal, double r, double e)
       : c_(c), normal_(normal), reach_(r + 2 * e), r_(r), e_(e) {}
 
-  PlanarGap largest(const SpacedPoints<3>& points) const {
-    using Tree = SpacingTree<3>;
-    const auto found = points.spacing.minimise(
-        [&](const Tree::SiteBox& box, double least) {
-          return -(r_ + e_) / (least + std::max(0.0, Tree::distance_to(box, c_) - reach_));
-        },
-        [&](const Vec<3>& place, double f) {
-          return -parameter(place, f, best_distance(place, f));
-        },
-        0);
+  // The largest, if it exceeds `least`.
+  PlanarGap largest(const SpacedPoints<3>& points, double least) const {
+    const auto found =
+        points.spacing.minimise([&](const Tree::SiteBox& box, double f) { return -bound(box, f); },
+                                [&](const Vec<3>& place, double f) {
+                                  return -parameter(place, f, best_distance(place, f));
+                                },
+                                -least);
     if (found.node == kNoIndex) return {};
     const Vec<3>& place = points.places[found.node];
     // The value comes back from the tree; the distance is found again.
@@ -244,9 +242,40 @@ class PlanarGaps {
   }
 
  private:
+  using Tree = SpacingTree<3>;
   struct Foot {
     double h, s;
   };
+  // How far a box is from the plane, and how far its points are from c.
+  struct Reach {
+    double height, nearest, farthest;
+  };
+  Reach reach_of(const Tree::SiteBox& box) const {
+    double middle = 0, half = 0, farthest_sq = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double low = box.low[i] - c_[i], high = box.high[i] - c_[i];
+      middle += normal_[i] * (low / 2 + high / 2);
+      half += std::fabs(normal_[i]) * (high / 2 - low / 2);
+      farthest_sq += std::max(low * low, high * high);
+    }
+    return {std::max(0.0, std::fabs(middle) - half), Tree::distance_to(box, c_),
+            std::sqrt(farthest_sq)};
+  }
+
+  // No point of the box with a value of f or more has a larger parameter: a place at the distance
+  // t is at least |t - |q - c|| and h away from q. In between the distances tried the quotient only
+  // rises or only falls.
+  double bound(const Tree::SiteBox& box, double f) const {
+    const auto [height, nearest, farthest] = reach_of(box);
+    double largest = 0;
+    for (const double tried : {0.0, nearest - height, farthest + height, r_, reach_}) {
+      const double t = std::clamp(tried, 0.0, reach_);
+      const double away = std::max({height, t - farthest, nearest - t});
+      largest = std::max(largest, ratio(std::min(t, r_) + e_, f + away));
+    }
+    return largest * kUp;
+  }
+
   Foot foot_of(const Vec<3>& q) const {
     const Vec<3> w = difference(q, c_);
     const double h = product(w, normal_);
@@ -280,9 +309,76 @@ bool lies_over(const Vec<3>& x, const std::array<Vec<3>, 3>& t, const Vec<3>& no
   return true;
 }
 
+// ---- Gaps on a face that is one triangle
+
+double distance_squared(const Vec<3>& a, const Vec<3>& b) {
+  const Vec<3> w = difference(b, a);
+  return product(w, w);
+}
+
+// The part of a convex polygon where a linear function is not negative.
+template <class Linear>
+std::vector<Vec<3>> clipped(const std::vector<Vec<3>>& polygon, Linear function) {
+  std::vector<Vec<3>> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec<3>&a = polygon[i], &b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    const double at_a = function(a), at_b = function(b);
+    if (at_a >= 0) result.push_back(a);
+    if ((at_a < 0) != (at_b < 0)) result.push_back(step(a, at_a / (at_a - at_b), difference(b, a)));
+  }
+  return result;
+}
+
+// The centre in the triangle farthest from x, of those to which the square of no corner's distance
+// is less than that of x by more than `slack`. They form a polygon.
+Vec<3> farthest_centre(const std::array<Vec<3>, 3>& t, const Vec<3>& x, double slack) {
+  std::vector<Vec<3>> polygon(t.begin(), t.end());
+  for (const Vec<3>& corner : t)
+    polygon = clipped(polygon, [&](const Vec<3>& c) {
+      return distance_squared(c, corner) + slack - distance_squared(c, x);
+    });
+  Vec<3> farthest = x;
+  for (const Vec<3>& c : polygon)
+    if (distance_squared(c, x) > distance_squared(farthest, x)) farthest = c;
+  return farthest;
+}
+
+double distance_to_corners(const std::array<Vec<3>, 3>& t, const Vec<3>& c) {
+  return std::min({distance_of(c, t[0]), distance_of(c, t[1]), distance_of(c, t[2])});
+}
+
+double longest_side(const std::array<Vec<3>, 3>& t) {
+  return std::max({distance_of(t[0], t[1]), distance_of(t[1], t[2]), distance_of(t[2], t[0])});
+}
+
+// The places x are searched. For one within e of x, distances from a centre differ by e at most, so
+// their squares by no more than 2 e times the longest side.
+void search_triangles(const SpacedPoints<3>& points,
+                      const std::vector<std::array<Vec<3>, 3>>& triangles, GapBracket<3>& bracket) {
+  constexpr double kRounding = 0x1p-40;
+  const auto judge = [&](Index s, const Vec<3>& x, double e, GapBracket<3>& found) {
+    const std::array<Vec<3>, 3>& t = triangles[s];
+    const double longest = longest_side(t), f = points.spacing.at(x).value;
+    const double slack = 2 * longest * (e + kRounding * longest);
+    const double reach = distance_of(farthest_centre(t, x, slack), x) + e + kRounding * longest;
+    const double upper = ratio(reach * kUp, f * kDown - e);
+    if (upper <= found.lower) return upper;
+    const Vec<3> c = farthest_centre(t, x, 0);
+    offer_gap(points.spacing, c, distance_to_corners(t, c), x, found);
+    return upper;
+  };
+  search_gaps<3, 3>(triangles, points.tolerance, judge, bracket);
+}
+
 Vec<3> unit_normal(const std::array<Vec<3>, 3>& t) {
   const Vec<3> n = cross_product(difference(t[1], t[0]), difference(t[2], t[0]));
   return step(Vec<3>{}, 1 / norm(n), n);
+}
+
+std::vector<Index> sizes_of_pieces(const BoundaryPieces<3>& boundary) {
+  std::vector<Index> sizes(boundary.size(), 0);
+  for (Index s = 0; s < boundary.size(); ++s) ++sizes[boundary.piece(s)];
+  return sizes;
 }
 
 }  // namespace
@@ -298,16 +394,24 @@ GapBracket<D> interior_gap(const SpacedPoints<D>& points) {
 GapBracket<3> face_gap(const SpacedPoints<3>& points) {
   GapBracket<3> bracket;
   const PointsOnPieces on_pieces(points.places, points.boundary);
-  std::vector<std::array<Vec<3>, 3>> faces;
-  for (Index s = 0; s < points.boundary.size(); ++s) faces.push_back(points.boundary.corners(s));
+  std::vector<std::array<Vec<3>, 3>> lone, faces;
+  std::vector<Index> number;  // of the simplices in `faces`
+  const std::vector<Index> sizes = sizes_of_pieces(points.boundary);
+  for (Index s = 0; s < points.boundary.size(); ++s) {
+    const bool is_lone = sizes[points.boundary.piece(s)] == 1;
+    (is_lone ? lone : faces).push_back(points.boundary.corners(s));
+    if (!is_lone) number.push_back(s);
+  }
+  search_triangles(points, lone, bracket);
   const auto judge = [&](Index s, const Vec<3>& c, double e, GapBracket<3>& found) {
     const Vec<3> normal = unit_normal(faces[s]);
-    const double r = on_pieces.distance(s, c);
-    const double upper = PlanarGaps(c, normal, r, e).largest(points).parameter * kUp;
+    const double r = on_pieces.distance(number[s], c);
+    const PlanarGap limit = PlanarGaps(c, normal, r, e).largest(points, found.lower / kUp);
+    const double upper = limit.parameter * kUp;
     if (upper <= found.lower) return upper;
     for (const auto& corner : faces[s]) offer_gap(points.spacing, c, r, corner, found);
     const PlanarGaps here(c, normal, r, 0);
-    const PlanarGap gap = here.largest(points);
+    const PlanarGap gap = here.largest(points, found.lower);
     if (gap.towards == kNoIndex) return upper;
     const Vec<3> x = here.towards_foot(points.places[gap.towards], gap.distance);
     if (lies_over(x, faces[s], normal)) offer_gap(points.spacing, c, r, x, found);

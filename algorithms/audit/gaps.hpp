@@ -52,8 +52,10 @@ template <std::size_t D>
 GapBracket<D> interior_gap(const SpacedPoints<D>& points);
 
 /// Boundary-face gaps: centres and x on one face of the domain, a piece of its boundary; empty of
-/// points on that face, whatever lies beside it. Found by halving the boundary. The gap of the
-/// lower end lies in one triangle of the boundary.
+/// points on that face, whatever lies beside it. Found by halving the boundary: on a face that is
+/// one triangle the places x, each with the farthest centre from which no corner is nearer; on
+/// others the centres, where an x beside the face is not told from one on it. The gap of the lower
+/// end lies in one triangle of the boundary.
 GapBracket<3> face_gap(const SpacedPoints<3>& points);
 
 /// Boundary-segment gaps: centres and x on one segment, empty of points on it. The segments are

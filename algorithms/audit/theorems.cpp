@@ -92,6 +92,26 @@ WorstAngles worst_angles(const TriangleMesh& mesh, const Report& report) {
   return worst;
 }
 
+// The largest el / NN at a node; the nearest node is the end of its shortest edge.
+double largest_edge_ratio(const TriangleMesh& mesh) {
+  std::vector<double> longest(mesh.points.size(), 0), shortest(mesh.points.size(), kInfinity);
+  for (const auto& t : mesh.triangles) {
+    double el = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index a = t[i], b = t[(i + 1) % 3];
+      const double length =
+          distance_of(coordinates_of(mesh.points[a]), coordinates_of(mesh.points[b]));
+      el = std::max(el, length);
+      for (const Index v : {a, b}) shortest[v] = std::min(shortest[v], length);
+    }
+    for (const Index v : t) longest[v] = std::max(longest[v], el);
+  }
+  double largest = 1;
+  for (std::size_t v = 0; v < longest.size(); ++v)
+    largest = std::max(largest, longest[v] / shortest[v]);
+  return largest;
+}
+
 // rho of the corrected Theorem 2.5.1(2). The boundary gap is an interval: a segment's end is at
 // most so far, by f, from a place on it.
 double bound_on_blind_circles(double b, double interior_gap, double segment_gap) {
@@ -193,7 +213,13 @@ void compare_with_theorems(const TriangleMesh& mesh, SpacingKind kind, Report& r
   const double b = list.measure("boundary_distance"), beta = list.measure("beta");
   list.suppose();
   list.suppose(kind == SpacingKind::kNearestNeighbour, "the spacing function is NN");
-  list.compare("2.4.6", "sin(theta) <= b", 1 / std::max(worst.seeing, worst.blind), b);
+  const double cosecant = std::max(worst.seeing, worst.blind), square = cosecant * cosecant;
+  list.compare("2.4.6", "sin(theta) <= b", 1 / cosecant, b);
+  list.suppose(list.passes("constrained_delaunay"), "the mesh is constrained Delaunay");
+  list.compare("2.4.1", "log2 L <= (2 + 12 / sin^4(theta)) log2(1/sin(theta)) + log2 max(el / NN)",
+               binary_logarithm(list.measure("gap")),
+               (2 + 12 * square * square) * binary_logarithm(cosecant) +
+                   binary_logarithm(largest_edge_ratio(mesh)));
   suppose_well_spaced(list);
   list.suppose(list.passes("constrained_delaunay"), "the mesh is constrained Delaunay");
   const double interior = list.measure("gap_interior_upper");
@@ -218,6 +244,10 @@ void compare_with_theorems(const TetMesh& mesh, SpacingKind kind, Report& report
   list.compare("3.5.1", "R / NN <= rho C", figures.radius_to_nn, rho * c);
   list.compare("3.5.2 lower", "NN / R <= 2", figures.nn_to_radius, 2);
   list.compare("3.5.2 upper", "R / NN <= 1 + rho C", figures.radius_to_nn, 1 + rho * c);
+  list.suppose(kind == SpacingKind::kNearestNeighbour, "the spacing function is NN");
+  list.suppose(list.passes("circumcentres_inside"), "the circumcentres lie in the domain");
+  list.compare("3.6.2", "L <= 130 rho^2 C^2 for interior gaps", list.measure("gap_interior_upper"),
+               130 * rho * rho * c * c);
   compare_packing(list, report, kind);
 }
 

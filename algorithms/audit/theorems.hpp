@@ -16,6 +16,9 @@ enum class SpacingKind {
 /// Compares both sides of the inequalities of chapters 2 to 4, as corrected in the errata, and adds
 /// them to the report's theorems. One whose hypotheses fail on the instance is listed with the
 /// hypothesis, and judged neither true nor false. In the plane:
+///   2.4.1     L <= E^N max(el / NN), for NN: triangles side by side differ by E = 1/sin(theta) at
+///             most, and a gap meets N <= 2 + 12/sin^4(theta) of them in a row (2.4.3 to 2.4.5);
+///             both sides as logarithms; el and NN at the nodes
 ///   2.4.2     P is 2-spaced by NN
 ///   2.4.6     sin(theta) <= b, theta the smallest angle, b the distance from the boundary, for NN
 ///   2.5.1(1)  1/sin(theta) <= L (2 + beta), over triangles that see their circumcentre
@@ -28,6 +31,9 @@ enum class SpacingKind {
 ///   3.4.5     degrees <= (2 C^2 + 1)^3, C the largest E/NN
 ///   3.5.1     R <= rho C NN for the corners of the Voronoi cell of a node
 ///   3.5.2     NN / 2 <= R <= (1 + rho C) NN there
+///   3.6.2     L <= 130 rho^2 C^2 for interior gaps, for NN: by the proof of Lemma 3.6.1, with an
+///             epsilon of R / (130 rho^2 C^2), one node p at most is nearer than that to the x of a
+///             gap of radius R, and NN(p) >= R / (2 rho C)
 ///   4.3.4     no node lies inside the smallest sphere of a boundary face; for lfs, as what follows
 ///   4.3.6     no circumcentre lies outside the domain
 ///   4.3.7     rho <= 2 beta / (beta - 7 - 2 sqrt 2)

@@ -51,6 +51,8 @@ TEST(Theorems, OfThePlaneHoldOnEveryCleanMesh) {
     const auto report = judged(mesh, SpacingKind::kNearestNeighbour);
     expect_all_hold(report, name);
     EXPECT_TRUE(theorem(report, "2.4.2").applies()) << name;
+    EXPECT_TRUE(theorem(report, "2.4.1").applies() ||
+                !report.check("constrained_delaunay")->pass());
     EXPECT_TRUE(theorem(report, "2.5.1(1)").applies()) << name;
   }
 }
@@ -96,12 +98,29 @@ TEST(Theorems, ThatApplyAndFailAreSaidToFail) {
     if (measure.name == "beta") measure.value = 2.5;
     if (measure.name == "boundary_distance") measure.value = 0.1;
     if (measure.name == "gap_interior_upper") measure.value = 0.2;
+    if (measure.name == "gap") measure.value = 1e300;
   }
   audit::compare_with_theorems(mesh, SpacingKind::kNearestNeighbour, report);
-  for (const char* name : {"2.4.2", "2.4.6", "2.5.1(1)"}) {
+  for (const char* name : {"2.4.1", "2.4.2", "2.4.6", "2.5.1(1)"}) {
     EXPECT_TRUE(theorem(report, name).applies()) << name;
     EXPECT_FALSE(theorem(report, name).holds) << name;
   }
+}
+
+// A cubic grid: rho = sqrt 3 / 2 and C = sqrt 3 at most, and a gap of sqrt 3 / 2.
+TEST(Theorems, BoundTheInteriorGapsOfACubicGrid) {
+  const TetMesh mesh = test::cubes(2, 2, 2, [](Index, Index, Index) { return true; });
+  audit::Report report = judged(mesh, SpacingKind::kNearestNeighbour);
+  const auto& t = theorem(report, "3.6.2");
+  EXPECT_TRUE(t.applies()) << t.missing_hypothesis;
+  EXPECT_TRUE(t.holds);
+  EXPECT_LE(t.left, 2);
+  EXPECT_NEAR(t.right, 130 * 0.75 * 3, 1e-6);
+  for (auto& measure : report.measures)
+    if (measure.name == "gap_interior_upper") measure.value = 300;
+  report.theorems.clear();
+  audit::compare_with_theorems(mesh, SpacingKind::kNearestNeighbour, report);
+  EXPECT_FALSE(theorem(report, "3.6.2").holds);
 }
 
 // A cubic grid is a packing of its box by any small constant: with beta = 12 the bound is 11.05.

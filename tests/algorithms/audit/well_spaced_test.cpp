@@ -237,7 +237,7 @@ TEST(WellSpaced, BracketsInSpaceHoldWhatSamplingFinds) {
   double sampled = 0;
   for (int i = 0; i < 4000; ++i) {  // gaps inside one tet see all of it
     const auto& t = mesh.tets[random.below(mesh.tets.size())];
-    Vec<3> c{}, weights;
+    Vec<3> c{};
     std::array<double, 4> w{};
     double sum = 0;
     for (double& value : w) sum += value = random.uniform();
@@ -252,12 +252,62 @@ TEST(WellSpaced, BracketsInSpaceHoldWhatSamplingFinds) {
         value = std::min(value, f[u] + audit::distance_of(x, at(u)));
       sampled = std::max(sampled, d / value);
     }
-    static_cast<void>(weights);
   }
   EXPECT_LE(sampled, measured(report, "gap_interior_upper"));
   EXPECT_LE(measured(report, "gap_interior_upper"), 1.06 * measured(report, "gap_interior_lower"));
   EXPECT_GE(measured(report, "gap_interior_lower"), 0.9 * sampled);
   EXPECT_LE(measured(report, "gap_face_upper"), 1.06 * measured(report, "gap_face_lower"));
+}
+
+// The faces of a hull of random points are single triangles, and few places of one matter.
+TEST(WellSpaced, BracketsOnTrianglesOfAHullHoldWhatSamplingFinds) {
+  const TetMesh mesh = test::random_tet_mesh(300, 7);
+  const auto report = spacing_of(mesh);
+  const auto at = [&](Index v) { return audit::coordinates_of(mesh.points[v]); };
+  std::vector<double> f(mesh.points.size(), INFINITY);
+  for (Index v = 0; v < f.size(); ++v)
+    for (Index w = 0; w < f.size(); ++w)
+      if (v != w) f[v] = std::min(f[v], audit::distance_of(at(v), at(w)));
+  Random random(3);
+  const auto place_on = [&](const std::array<Index, 3>& face) {
+    double u = random.uniform(), v = random.uniform();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const auto a = at(face[0]);
+    return audit::step(audit::step(a, u, audit::difference(at(face[1]), a)), v,
+                       audit::difference(at(face[2]), a));
+  };
+  double sampled = 0;
+  for (const TetMesh::Facet& facet : mesh.facets) {
+    for (int i = 0; i < 200; ++i) {
+      const auto c = place_on(facet.points), x = place_on(facet.points);
+      double value = INFINITY, clear = INFINITY;
+      for (const Index v : facet.points) clear = std::min(clear, audit::distance_of(c, at(v)));
+      if (audit::distance_of(c, x) > clear) continue;
+      for (Index v = 0; v < f.size(); ++v)
+        value = std::min(value, f[v] + audit::distance_of(x, at(v)));
+      sampled = std::max(sampled, audit::distance_of(c, x) / value);
+    }
+  }
+  EXPECT_LE(sampled, measured(report, "gap_face_upper"));
+  const auto& gap = witness(report, "gap_face");
+  const Vec<3> c{gap.centre[0], gap.centre[1], gap.centre[2]}, x{gap.at[0], gap.at[1], gap.at[2]};
+  const auto area = [](const Vec<3>& p, const Vec<3>& q, const Vec<3>& r) {
+    return audit::norm(audit::cross_product(audit::difference(q, p), audit::difference(r, p)));
+  };
+  const auto has_gap = [&](const TetMesh::Facet& facet) {
+    const auto p = at(facet.points[0]), q = at(facet.points[1]), r = at(facet.points[2]);
+    const double clear =
+        std::min({audit::distance_of(c, p), audit::distance_of(c, q), audit::distance_of(c, r)});
+    const double most = area(p, q, r) * (1 + 1e-9);
+    return area(c, p, q) + area(c, q, r) + area(c, r, p) <= most &&
+           area(x, p, q) + area(x, q, r) + area(x, r, p) <= most &&
+           audit::distance_of(c, x) <= clear;
+  };
+  EXPECT_EQ(std::count_if(mesh.facets.begin(), mesh.facets.end(), has_gap), 1);
+  double value = INFINITY;
+  for (Index v = 0; v < f.size(); ++v) value = std::min(value, f[v] + audit::distance_of(x, at(v)));
+  EXPECT_NEAR(audit::distance_of(c, x) / value, measured(report, "gap_face_lower"), 1e-6);
+  EXPECT_LE(measured(report, "gap_face_upper"), 1.051 * measured(report, "gap_face_lower"));
 }
 
 // ---- Mutations
