@@ -227,8 +227,20 @@ Status mesh_points(const std::string& path, const Demands& demands, Geometry& ge
   return Ok{};
 }
 
-Result<audit::Report> audit_file(const std::string& path, const Demands& demands,
-                                 Session& session) {
+// A packed mesh brings its spacing: it is judged by that unless another one is named.
+Demands with_spacing_beside(const std::string& path, Demands demands) {
+  if (!demands.spacing.empty()) return demands;
+  const std::string beside = spacing_beside(path);
+  const auto mark = read_packing_mark(beside);
+  if (!mark) return demands;
+  demands.spacing = beside;
+  demands.is_packing = mark->is_by_lfs;
+  if (demands.beta == 0) demands.beta = mark->beta;
+  return demands;
+}
+
+Result<audit::Report> audit_file(const std::string& path, const Demands& given, Session& session) {
+  const Demands demands = with_spacing_beside(path, given);
   auto geometry = read_geometry(path);
   if (!geometry && geometry.error().code == ErrorCode::kInvalidGeometry)
     return report_on(geometry.error(), session);

@@ -12,6 +12,7 @@
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/mesh_space.hpp"
 #include "wellspaced/io/cli/stopwatch.hpp"
+#include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/text/numbers.hpp"
@@ -40,7 +41,9 @@ constexpr std::array kMeshOptions = {
     Option{"--intersections", "RULE", "crossing segments: refuse (default) or split"},
     Option{"--flatness", "X",
            "in space: how far from planes and right angles counts as on them (default 1e-6)"},
-    Option{"--spacing", "FILE", "write the spacing function at the nodes, one value a line"},
+    Option{"--spacing", "FILE",
+           "write the spacing function at the nodes, one value a line "
+           "(default: beside Triangle's files, where audit finds it)"},
 };
 
 // ---- Options -------------------------------------------------------------------------------
@@ -108,7 +111,7 @@ Geometry packed_geometry(const PackedMesh& packed, const Geometry& input) {
   Geometry geometry = to_geometry(packed.mesh, input.index_base);
   geometry.holes = input.holes;
   geometry.regions = input.regions;
-  if (!packed.is_complete) geometry.remark = "incomplete: a limit was hit before the mesh was done";
+  if (!packed.is_complete) geometry.remark = kIncompleteMesh;
   if (!packed.attributes.empty()) geometry.cell_attributes = {1, packed.attributes};
   return geometry;
 }
@@ -116,12 +119,10 @@ Geometry packed_geometry(const PackedMesh& packed, const Geometry& input) {
 Status write_mesh_files(const PackedMesh& packed, const Geometry& input, double beta,
                         const Arguments& arguments, Session& session) {
   const CommonOptions& common = session.options();
-  if (const auto path = arguments.value("--spacing")) {
-    const std::vector<double> spacing = packed_spacing(packed, beta);
-    const Status added = session.outputs().add(*path, [&](TextWriter& out) {
-      for (const double value : spacing) out << value << '\n';
-    });
-    if (!added) return added.error();
+  if (const auto path = spacing_file(arguments, common)) {
+    const Status written =
+        write_spacing(session.outputs(), *path, packed_spacing(packed, beta), {false, beta});
+    if (!written) return written.error();
   }
   if (common.output.empty()) return Ok{};
   const Geometry geometry = packed_geometry(packed, input);

@@ -8,6 +8,7 @@
 #include "wellspaced/algorithms/audit/tet_shape.hpp"
 #include "wellspaced/algorithms/packing/space/pack_domain3.hpp"
 #include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/report/table_text.hpp"
@@ -79,6 +80,7 @@ void number_unmarked(PackedTets& packed) {
 Geometry packed_solid(PackedTets& packed, const Geometry& input) {
   number_unmarked(packed);
   Geometry geometry = to_geometry(packed.mesh, input.index_base);
+  if (!packed.is_complete) geometry.remark = kIncompleteMesh;
   if (input.volume_regions.empty()) return geometry;
   geometry.cell_attributes.columns = 1;
   for (const Index region : packed.region_of)
@@ -87,14 +89,26 @@ Geometry packed_solid(PackedTets& packed, const Geometry& input) {
   return geometry;
 }
 
+}  // namespace
+
+std::optional<std::string> spacing_file(const Arguments& arguments, const CommonOptions& common) {
+  if (const auto path = arguments.value("--spacing")) return std::string(*path);
+  const bool is_set = !common.output.empty() && common.output != "-" &&
+                      writes_triangle_files(common.output, common.format);
+  return is_set ? std::optional(spacing_beside(common.output)) : std::nullopt;
+}
+
+namespace {
+
 Status write_files(PackedTets& packed, const Geometry& input, double beta,
                    const Arguments& arguments, Session& session) {
   const CommonOptions& common = session.options();
-  if (const auto path = arguments.value("--spacing")) {
-    const Status added = session.outputs().add(*path, [&](TextWriter& out) {
-      for (const double radius : packed.radius) out << beta * radius << '\n';
-    });
-    if (!added) return added.error();
+  if (const auto path = spacing_file(arguments, common)) {
+    std::vector<double> spacing = packed.radius;
+    for (double& value : spacing) value *= beta;
+    const Status written =
+        write_spacing(session.outputs(), *path, spacing, {!arguments.has("--size"), beta});
+    if (!written) return written.error();
   }
   if (common.output.empty()) return Ok{};
   const Geometry geometry = packed_solid(packed, input);

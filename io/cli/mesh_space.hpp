@@ -1,7 +1,9 @@
 // The command mesh for domains in space.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "wellspaced/io/cli/arguments.hpp"
 #include "wellspaced/io/cli/session.hpp"
@@ -10,6 +12,13 @@
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced::cli {
+
+/// What partial meshes are marked with.
+inline constexpr std::string_view kIncompleteMesh =
+    "incomplete: a limit was hit before the mesh was done";
+
+/// Where the spacing function goes: to the file named, or beside Triangle's files.
+std::optional<std::string> spacing_file(const Arguments& arguments, const CommonOptions& common);
 
 /// Meshes `input`, read from `path` in the time `reading`. Returns the exit code.
 /// Errors: kUsage for options that are for the plane only; those of pack_domain3.

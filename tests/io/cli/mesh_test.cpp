@@ -79,6 +79,21 @@ TEST(MeshCommand, StopsAtMaxPointsWithAValidMarkedMesh) {
     EXPECT_EQ(read_bytes(directory / name).rfind("# incomplete: ", 0), 0u) << name;
 }
 
+TEST(MeshCommand, LeavesTheSpacingWhereAuditFindsIt) {
+  const TemporaryDirectory directory;
+  mesh({"-", "-o", directory / "m", "--beta", "3"}, kPlate, 0);
+  EXPECT_EQ(read_bytes(directory / "m.spacing").rfind("# packing by size, beta 3\n", 0), 0u);
+  for (const char* name : {"m.node", "m"}) {
+    const auto run = run_program({"audit", directory / name, "--json", "-"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    for (const char* found : {"\"beta_spaced\"", "\"lipschitz\"", "\"gap_interior_upper\""})
+      EXPECT_NE(run.out.find(found), std::string::npos) << name << ' ' << found;
+  }
+  std::filesystem::remove(directory / "m.spacing");
+  const auto bare = run_program({"audit", directory / "m.node", "--json", "-"});
+  EXPECT_EQ(bare.out.find("lipschitz"), std::string::npos);
+}
+
 TEST(MeshCommand, ListsWhatIsWithoutGuaranteeAtSmallAngles) {
   const auto refused = run_program({"mesh", "-"}, kWedge);
   EXPECT_EQ(refused.exit_code, 4);
@@ -110,7 +125,7 @@ TEST(MeshCommand, WritesTheSpacingFunction) {
   const TemporaryDirectory directory;
   const Answer answer = mesh({"-", "--spacing", directory / "f"}, kPlate);
   const std::string text = read_bytes(directory / "f");
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), answer["nodes"].number());
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + answer["nodes"].number());
 }
 
 TEST(MeshCommand, TakesABoundOnTheRadiusEdgeRatio) {

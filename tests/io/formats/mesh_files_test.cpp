@@ -146,7 +146,7 @@ TEST(MeshFormats, TakeARemarkWithoutHarm) {
     g.remark = "incomplete: 3 of 4";
     const std::string text = written_by(format.write, g);
     EXPECT_NE(text.find(g.remark), std::string::npos);
-    EXPECT_TRUE(format.recognise(text));
+    EXPECT_TRUE(format.recognise == nullptr || format.recognise(text));
     const Geometry back = parsed(format.parse, text);
     EXPECT_EQ(back.mesh.points, bare.mesh.points);
     EXPECT_EQ(back.mesh.triangles, bare.mesh.triangles);
