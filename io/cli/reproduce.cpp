@@ -60,7 +60,6 @@ Result<std::vector<Exhibit>> make_exhibits(std::span<const ExhibitKind* const> k
     auto exhibit = make_exhibit(*kind, laboratory);
     if (!exhibit) return exhibit.error();
     if (Status status = publish(*exhibit, session.options().output); !status) return status.error();
-    session.print(exhibit_text(*exhibit));
     exhibits.push_back(std::move(*exhibit));
   }
   return exhibits;
@@ -82,8 +81,13 @@ ChapterPage page_of(std::span<const Exhibit> exhibits, const LaboratoryOptions& 
       {"first seed", std::to_string(options.seed)},
       {"meshes", options.data.empty() ? "stand-ins made by wellspaced generate"
                                       : "the original ones, as far as they survive"},
-      {"grids", shortest(options.scale) + " of 1000 nodes a side"}};
+      {"grids", shortest(1000 * options.scale) + " nodes a side"}};
   return page;
+}
+
+std::string chapter_text(std::span<const Exhibit> exhibits, const LaboratoryOptions& options) {
+  return agreement_text(agreement_of(exhibits)) + '\n' + std::to_string(exhibits.size()) +
+         " tables and figures: " + options.directory + "/index.html\n";
 }
 
 // The page of all exhibits, beside their files.
@@ -116,6 +120,8 @@ Result<int> run(Arguments& arguments, Session& session) {
   if (!exhibits) return exhibits.error();
   if (what == "all")
     if (Status status = write_page(*exhibits, laboratory.options()); !status) return status.error();
+  session.print(what == "all" ? chapter_text(*exhibits, laboratory.options())
+                              : exhibit_text(exhibits->front()));
   if (Status status = write_summary(*exhibits, session); !status) return status.error();
   return kExitOk;
 }

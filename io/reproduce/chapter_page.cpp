@@ -1,7 +1,6 @@
 #include "wellspaced/io/reproduce/chapter_page.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -24,15 +23,24 @@ std::string paragraph(const std::string& text, const std::string& kind) {
   return text.empty() ? "" : tagged("p", escape_markup(text), " class=\"" + kind + "\"") + '\n';
 }
 
-std::size_t compared_figures(std::span<const Exhibit> exhibits) {
-  std::size_t count = 0;
-  for (const Exhibit& exhibit : exhibits)
-    for (const ExhibitTable& table : exhibit.tables)
-      for (const ExhibitRow& row : table.rows)
-        for (std::size_t i = 0; i < row.cells.size(); ++i)
-          count += table.comparable && !table.repeats && row.cells[i].published &&
-                   table.columns[i].rule != CellRule::kNever;
-  return count;
+// Adds what a table compares.
+void add_agreement(const ExhibitTable& table, Agreement& agreement) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      if (is_beyond(table, row, i)) ++agreement.differing;
+      agreement.compared += table.rows[row].cells[i].published.has_value() &&
+                            table.columns[i].rule != CellRule::kNever;
+    }
+}
+
+// Adds the sizes of a function-based half.
+void add_sizes(const ExhibitTable& half, Agreement& agreement) {
+  for (const ExhibitRow& row : half.rows) {
+    const auto percent = difference(half.columns[0], row.cells[0]);
+    if (!percent || *row.cells[0].published < kFewNodes) continue;
+    agreement.largest_size_percent = std::fmax(agreement.largest_size_percent, std::fabs(*percent));
+    ++agreement.size_rows;
+  }
 }
 
 // ---- Tables
@@ -191,28 +199,12 @@ std::string differences_html(std::span<const Deviation> found) {
 
 // ---- The head
 
-std::string lead_html(const ChapterPage& page, std::size_t differing) {
-  const std::size_t compared = compared_figures(page.exhibits);
-  const SizeAgreement sizes = size_agreement(page.exhibits);
-  std::string text = paragraph(
-      "Tables and figures of Dafna Talmor's thesis, made again by wellspaced, beside the "
-      "published ones.",
-      "lead headline");
-  if (sizes.rows > 0)
-    text += paragraph("In the " + std::to_string(sizes.rows) +
-                          " function-based rows down to 50 nodes, sizes differ by at most " +
-                          decimal(sizes.largest_percent, 1) + "%.",
-                      "lead");
-  if (compared > 0)
-    text +=
-        paragraph(std::to_string(compared) + " figures are compared; " + std::to_string(differing) +
-                      " differ, and are listed with the reasons as "
-                      "far as they are known.",
-                  "lead");
-  else
-    text += paragraph("No figure is compared: nothing here was measured on the thesis' own meshes.",
-                      "lead");
-  return text;
+std::string lead_html(const ChapterPage& page) {
+  return paragraph(
+             "Tables and figures of Dafna Talmor's thesis, made again by wellspaced, beside the "
+             "published ones.",
+             "lead headline") +
+         paragraph(agreement_text(agreement_of(page.exhibits)), "lead");
 }
 
 std::string parameters_html(const ChapterPage& page) {
@@ -224,20 +216,29 @@ std::string parameters_html(const ChapterPage& page) {
 
 }  // namespace
 
-SizeAgreement size_agreement(std::span<const Exhibit> exhibits) {
-  SizeAgreement agreement;
+Agreement agreement_of(std::span<const Exhibit> exhibits) {
+  Agreement agreement;
   for (const Exhibit& exhibit : exhibits)
     for (const ExhibitTable& table : exhibit.tables) {
-      if (table.repeats || !table.comparable || table.name != exhibit.name + "-function") continue;
-      for (const ExhibitRow& row : table.rows) {
-        const ExhibitCell& nodes = row.cells[0];
-        const auto percent = difference(table.columns[0], nodes);
-        if (!percent || *nodes.published < kFewNodes) continue;
-        agreement.largest_percent = std::fmax(agreement.largest_percent, std::fabs(*percent));
-        ++agreement.rows;
-      }
+      if (table.repeats || !table.comparable) continue;
+      add_agreement(table, agreement);
+      if (table.name == exhibit.name + "-function") add_sizes(table, agreement);
     }
   return agreement;
+}
+
+std::string agreement_text(const Agreement& agreement) {
+  if (agreement.compared == 0)
+    return "No figure is compared: nothing here was measured on the thesis' own meshes, or too "
+           "few runs were made.";
+  std::string text = std::to_string(agreement.compared) + " figures are compared; " +
+                     std::to_string(agreement.differing) +
+                     " differ, and are listed with the reasons as far as they are known.";
+  if (agreement.size_rows > 0)
+    text += " In the " + std::to_string(agreement.size_rows) +
+            " function-based rows down to 50 nodes, sizes differ by at most " +
+            decimal(agreement.largest_size_percent, 1) + "%.";
+  return text;
 }
 
 std::string chapter_html(const ChapterPage& page) {
@@ -250,7 +251,7 @@ std::string chapter_html(const ChapterPage& page) {
   text +=
       "</style>\n</head>\n<body>\n<header>\n<p class=\"kicker\">wellspaced reproduce</p>\n"
       "<h1>Well-Spaced Points for Numerical Methods, reproduced</h1>\n</header>\n<main>\n";
-  text += lead_html(page, found.size()) + parameters_html(page) + contents_html(page.exhibits);
+  text += lead_html(page) + parameters_html(page) + contents_html(page.exhibits);
   text += differences_html(found);
   for (const Exhibit& exhibit : page.exhibits) text += exhibit_html(exhibit);
   return text + "</main>\n</body>\n</html>\n";

@@ -21,12 +21,16 @@ struct ChapterPage {
 /// The same exhibits give the same bytes. Requires: pictures are SVG texts. Cost: linear.
 std::string chapter_html(const ChapterPage& page);
 
-/// Over the function-based rows with at least 50 published nodes of the comparable tables: the
-/// largest difference in nodes, in percent, and how many rows there are.
-struct SizeAgreement {
-  double largest_percent = 0;
-  std::size_t rows = 0;
+/// How near the exhibits are to the thesis: figures compared, and how many of them differ; over the
+/// function-based rows with at least 50 published nodes of the comparable tables, how many there
+/// are, and the largest difference in nodes, in percent.
+struct Agreement {
+  std::size_t compared = 0, differing = 0, size_rows = 0;
+  double largest_size_percent = 0;
 };
-SizeAgreement size_agreement(std::span<const Exhibit> exhibits);
+Agreement agreement_of(std::span<const Exhibit> exhibits);
+
+/// The agreement in a sentence or two.
+std::string agreement_text(const Agreement& agreement);
 
 }  // namespace wellspaced

@@ -1,7 +1,7 @@
 #include "wellspaced/io/reproduce/exhibit_files.hpp"
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -32,13 +32,17 @@ TextRow head_row(const ExhibitTable& table) {
   return row;
 }
 
-// A group's name stands over its first column.
-TextRow group_row(const ExhibitTable& table) {
-  TextRow row = {"", ""};
-  std::string last;
-  for (const ExhibitColumn& column : table.columns)
-    row.push_back(std::exchange(last, column.group) == column.group ? "" : column.group);
-  return row;
+// A group's name stands over its first column; two columns come before those of the table.
+std::string group_line(const ExhibitTable& table, std::span<const std::size_t> widths) {
+  std::string line, last;
+  std::size_t start = 4 + widths[0] + widths[1];
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const std::string& group = table.columns[i].group;
+    if (std::exchange(last, group) != group)
+      line += std::string(start - std::min(start, width_of(line)), ' ') + "  " + group;
+    start += 2 + widths[i + 2];
+  }
+  return line;
 }
 
 template <class Text>
@@ -78,14 +82,7 @@ std::string table_text(const ExhibitTable& table) {
   for (const TextRow& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i)
       widths[i] = std::max(widths[i], width_of(line[i]));
-  std::string groups;
-  const TextRow names = group_row(table);
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!names[i].empty())
-      groups += std::string(start - std::min(start, width_of(groups)), ' ') + "  " + names[i];
-    start += 2 + widths[i];
-  }
+  const std::string groups = group_line(table, widths);
   std::string text = table.title + (table.note.empty() ? "" : " (" + table.note + ")") + '\n';
   if (!groups.empty()) text += groups + '\n';
   for (const TextRow& line : lines) {

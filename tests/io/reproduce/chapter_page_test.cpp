@@ -50,9 +50,11 @@ TEST(ChapterPage, TablesThatRepeatAreInTheFilesAlone) {
 
 TEST(ChapterPage, SizesAreJudgedDownToFiftyNodes) {
   const std::vector<Exhibit> exhibits = {some_exhibit()};
-  const SizeAgreement agreement = size_agreement(exhibits);
-  EXPECT_EQ(agreement.rows, 2u);
-  EXPECT_NEAR(agreement.largest_percent, 3, 1e-12);
+  const Agreement agreement = agreement_of(exhibits);
+  EXPECT_EQ(agreement.compared, 5u);
+  EXPECT_EQ(agreement.differing, 3u);
+  EXPECT_EQ(agreement.size_rows, 2u);
+  EXPECT_NEAR(agreement.largest_size_percent, 3, 1e-12);
 }
 
 }  // namespace

@@ -75,9 +75,9 @@ TEST(Laboratory, SizesAgreeWithThePublishedOnesToTwoAndAHalfPercent) {
   for (const ExhibitKind& kind : exhibit_kinds())
     if (kind.name == "table-8.5" || kind.name == "table-8.6" || kind.name == "table-8.8")
       exhibits.push_back(make_exhibit(kind, laboratory).value());
-  const SizeAgreement agreement = size_agreement(exhibits);
-  EXPECT_EQ(agreement.rows, 15u);
-  EXPECT_LT(agreement.largest_percent, 2.5);
+  const Agreement agreement = agreement_of(exhibits);
+  EXPECT_EQ(agreement.size_rows, 15u);
+  EXPECT_LT(agreement.largest_size_percent, 2.5);
 }
 
 }  // namespace
