@@ -6,6 +6,7 @@
 
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
+#include "wellspaced/algorithms/spacing/nearest_neighbor.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
@@ -384,15 +385,9 @@ Result<PackedMesh> pack_domain(const Pslg& domain, const PackingOptions& options
 
 std::vector<double> packed_spacing(const PackedMesh& packed, double beta) {
   const std::vector<Point2>& points = packed.mesh.points;
-  std::vector<double> spacing(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) spacing[v] = beta * packed.radius[v];
-  for (const auto& corners : packed.mesh.triangles)
-    for (unsigned i = 0; i < 3; ++i) {
-      const Index a = corners[i], b = corners[(i + 1) % 3];
-      const double most = beta / 2 * distance(points[a], points[b]);
-      spacing[a] = std::min(spacing[a], most);
-      spacing[b] = std::min(spacing[b], most);
-    }
+  std::vector<double> spacing = nearest_neighbor_spacing(points);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    spacing[v] = beta * std::min(packed.radius[v], spacing[v] / 2);
   return euclidean_coarsened_spacing(points, spacing, 1);
 }
 

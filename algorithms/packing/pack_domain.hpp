@@ -84,8 +84,9 @@ struct PackedMesh {
 Result<PackedMesh> pack_domain(const Pslg& domain, const PackingOptions& options = {});
 
 /// The spacing function of a packed mesh: for each node a value f of a 1-Lipschitz function by
-/// which the nodes are beta-spaced: beta times the ball's radius, lowered to half of beta times the
-/// distance of the nearest node where a bad triangle was cut, then to be 1-Lipschitz.
+/// which the nodes are beta-spaced: beta times the ball's radius, or half of beta times the
+/// distance of the nearest node where a triangle was cut or thin walls hide one, then lowered to be
+/// 1-Lipschitz.
 /// Cost: O(n log n).
 /// Audit: beta-spacing, gaps.
 std::vector<double> packed_spacing(const PackedMesh& packed, double beta);

@@ -194,7 +194,8 @@ std::string mesh_text(const PackedMesh& packed) {
                      std::to_string(packed.mesh.segments.size()) + " boundary edges\n";
   if (!packed.without_guarantee.empty())
     text += std::to_string(packed.without_guarantee.size()) +
-            " triangles have smaller angles (--json lists them)\n";
+            (packed.without_guarantee.size() == 1 ? " triangle has" : " triangles have") +
+            " an angle below the one wanted (--json lists them)\n";
   return text;
 }
 

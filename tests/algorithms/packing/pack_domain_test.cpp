@@ -153,19 +153,22 @@ TEST(PackDomain, IsFullAtFullMaximality) {
   }
 }
 
+void expect_spaced(const PackedMesh& result, double beta) {
+  const std::vector<double> f = packed_spacing(result, beta);
+  const auto& points = result.mesh.points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double d = distance(points[i], points[j]);
+      ASSERT_LE(std::fabs(f[i] - f[j]), d * (1 + 1e-14)) << "1-Lipschitz";
+      ASSERT_LE(f[i] + f[j], beta * d * (1 + 1e-14)) << "beta-spaced";
+    }
+}
+
 TEST(PackDomain, HasASpacingFunctionThatSpacesItsNodes) {
   for (const double beta : {2.0, 6.0}) {
     PackingOptions options;
     options.beta = beta;
-    const PackedMesh result = packed(stepped_plate(), options);
-    const std::vector<double> f = packed_spacing(result, beta);
-    const auto& points = result.mesh.points;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const double d = distance(points[i], points[j]);
-        ASSERT_LE(std::fabs(f[i] - f[j]), d * (1 + 1e-14)) << "1-Lipschitz";
-        ASSERT_LE(f[i] + f[j], beta * d * (1 + 1e-14)) << "beta-spaced";
-      }
+    expect_spaced(packed(stepped_plate(), options), beta);
   }
 }
 
@@ -180,6 +183,7 @@ TEST(PackDomain, MeshesRealDomains) {
     if (!domain->holes.empty()) options.holes = HoleRule::kSeeds;
     const PackedMesh result = packed(*domain, options);
     expect_valid(result, *domain);
+    expect_spaced(result, options.beta);
     EXPECT_TRUE(result.is_complete) << name;
     EXPECT_GE(smallest_angle_away(result), 25) << name;
     EXPECT_LE(result.without_guarantee.size(), 2 * result.sharp_corners.size()) << name;
