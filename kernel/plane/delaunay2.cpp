@@ -173,24 +173,6 @@ bool Delaunay2::start() {
   return true;
 }
 
-// Inserts the points that the first triangle lacks, each from where the one before it went in.
-void Delaunay2::insert_in_order(std::vector<Duplicate>& duplicates) {
-  const auto first = topology_.vertices(0);
-  Cavity cavity;
-  Index hint = 0;
-  for (Index v = 0; v < points_.size(); ++v) {
-    if (v == first[0] || v == first[1] || v == first[2]) continue;
-    const Location place = locate(points_[v], hint);
-    if (place.place == Place::kVertex) {
-      duplicates.push_back({v, topology_.origin(place.edge)});
-      continue;
-    }
-    find_cavity(place.edge, points_[v], cavity);
-    topology_.fill_with_star(cavity.hole, cavity.rim, v);
-    hint = cavity.hole.front();
-  }
-}
-
 // Duplicates of points that span no triangle.
 std::vector<Delaunay2::Duplicate> Delaunay2::sort_out_duplicates() const {
   std::vector<Index> sorted(points_.size());
@@ -213,7 +195,6 @@ std::vector<Delaunay2::Duplicate> Delaunay2::sort_out_duplicates() const {
 // among its duplicates.
 void Delaunay2::number_as_input(std::span<const Point2> points, std::vector<Index>& order,
                                 const std::vector<Duplicate>& duplicates) {
-  points_ = {};  // before the copy, so that the two are never in memory together
   points_.assign(points.begin(), points.end());
   if (!duplicates.empty()) {
     const std::vector<Index> input_number = order;

@@ -169,7 +169,7 @@ void compare_gaps(const Setting& setting, const Hierarchy& hierarchy, const std:
   for (std::size_t k = 1; k < hierarchy.levels.size(); ++k) {
     const Level& level = hierarchy.levels[k];
     const ConeFunction f = setting.function_of_level(k);
-    const Bracket interior = test::interior_gaps(level.mesh, level.mesh.points, f, 300);
+    const Bracket interior = test::interior_gaps(level.mesh, level.mesh.points, f, 600);
     const double boundary = test::boundary_gaps(level.mesh, f);
     std::printf(
         "  level %zu, %zu nodes: interior gaps %.2f to %.2f (bound %.0f), boundary %.2f "
@@ -351,7 +351,7 @@ void compare_interior_gaps(const Hierarchy& hierarchy, std::span<const double> b
                          threshold_of(hierarchy.levels[k - 1], level, factor), {});
     for (Index v = 0; v < level.origin.size(); ++v)
       ASSERT_NEAR(f.least(level.mesh.points[v], 0) / level.spacing[v], 1, 1e-9);
-    const Bracket gaps = test::interior_gaps(level.mesh, level.mesh.points, f, 300);
+    const Bracket gaps = test::interior_gaps(level.mesh, level.mesh.points, f, 600);
     std::printf(
         "%s, level %zu, %zu nodes: gaps %.2f to %.2f (bound %.2f), %zu nodes left outside\n", name,
         k, level.origin.size(), gaps.lower, gaps.upper, bound, outside);
