@@ -196,7 +196,8 @@ Result<Exhibit> suite_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   ExhibitTable originals = suite_table(exhibit.name);
   ExhibitTable others = suite_table(exhibit.name + "-others");
   others.comparable = false;
-  others.title += ": those that the thesis does not have";
+  others.title += ": lost, or not the thesis' own";
+  std::string sources;
   for (const SuiteRow& row : kSuiteRows) {
     if (row.mesh.empty()) {
       others.rows.push_back(suite_row(row, {}));
@@ -209,9 +210,15 @@ Result<Exhibit> suite_exhibit(Laboratory& laboratory, Exhibit exhibit) {
     if (row.aspect == 0) add_mesh_pictures(exhibit, row, *mesh);
     ExhibitTable& table = (*source)->is_original ? originals : others;
     table.rows.push_back(suite_row(row, suite_figures(*mesh)));
-    exhibit.notes.push_back((*source)->title + ": " + (*source)->origin + '.');
+    sources += (*source)->title + ": " + (*source)->origin + "; ";
   }
-  exhibit.notes.push_back("AIRFOIL 2: its coordinates are lost; only its graph survives.");
+  exhibit.notes.push_back(sources +
+                          "AIRFOIL 2: its coordinates are lost, only its graph survives.");
+  if (!laboratory.options().data.empty())
+    exhibit.notes.push_back(
+        "Under ≤ 20° the thesis seems to leave out the angles of at most 10°: it prints 7 and 24 "
+        "where "
+        "we count 8 and 25.");
   if (!originals.rows.empty()) exhibit.tables.push_back(std::move(originals));
   exhibit.tables.push_back(std::move(others));
   return exhibit;
