@@ -355,12 +355,12 @@ double longest_side(const std::array<Vec<3>, 3>& t) {
 // their squares by no more than 2 e times the longest side.
 void search_triangles(const SpacedPoints<3>& points,
                       const std::vector<std::array<Vec<3>, 3>>& triangles, GapBracket<3>& bracket) {
-  constexpr double kRounding = 0x1p-40;
+  constexpr double kRoundingPart = 0x1p-40;
   const auto judge = [&](Index s, const Vec<3>& x, double e, GapBracket<3>& found) {
     const std::array<Vec<3>, 3>& t = triangles[s];
     const double longest = longest_side(t), f = points.spacing.at(x).value;
-    const double slack = 2 * longest * (e + kRounding * longest);
-    const double reach = distance_of(farthest_centre(t, x, slack), x) + e + kRounding * longest;
+    const double slack = 2 * longest * (e + kRoundingPart * longest);
+    const double reach = distance_of(farthest_centre(t, x, slack), x) + e + kRoundingPart * longest;
     const double upper = ratio(reach * kUp, f * kDown - e);
     if (upper <= found.lower) return upper;
     const Vec<3> c = farthest_centre(t, x, 0);
