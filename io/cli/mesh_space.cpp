@@ -147,7 +147,10 @@ JsonWriter space_json(const PackedTets& packed, const Geometry& input, double be
   } else {
     json.null();
   }
-  json.end_object().key("slivers").begin_array();
+  json.end_object()
+      .field("nodes_by_integral", nodes_by_integral(packed))
+      .key("slivers")
+      .begin_array();
   for (const Index t : shape.slivers) json.value(t + input.index_base);
   json.end_array().key("edges").begin_array();
   for (const Segment& s : packed.domain_segments) {

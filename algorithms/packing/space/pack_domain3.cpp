@@ -191,4 +191,18 @@ Result<PackedTets> pack_domain3(const Pls& domain, const PackingOptions3& option
   return packed;
 }
 
+double nodes_by_integral(const PackedTets& packed) {
+  const std::vector<Point3>& p = packed.mesh.points;
+  double integral = 0;
+  for (const auto& tet : packed.mesh.tets) {
+    const Point3 a = p[tet[0]];
+    const double volume = dot(p[tet[1]] - a, cross(p[tet[2]] - a, p[tet[3]] - a)) / 6;
+    for (const Index v : tet) {
+      const double r = packed.radius[v];
+      integral += volume / r / r / r / 4;
+    }
+  }
+  return integral > 0 ? static_cast<double>(p.size()) / integral : 0;
+}
+
 }  // namespace wellspaced

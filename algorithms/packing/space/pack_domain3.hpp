@@ -80,8 +80,13 @@ struct PackedTets {
 ///   kCancelled if it was cancelled before the surface was packed.
 /// Cost: O(n log n) expected for n nodes and polytopes.
 /// Audit: audit_tet_mesh with the domain: conformity, constrained_delaunay, boundary_gabriel,
-///   circumcentres_inside, radius_edge; audit_tet_packing.
+///   circumcentres_inside, radius_edge; audit_spacing by beta * radius: beta_spaced.
 /// See: chapter 4.
 Result<PackedTets> pack_domain3(const Pls& domain, const PackingOptions3& options = {});
+
+/// The number of nodes by the integral of 1 / radius^3 over the mesh, that taken from the values at
+/// the corners of each tet: the constant of Theorem 4.4.1, times beta^3 if no size is given.
+/// Degenerate: 0 for a mesh without tets.
+double nodes_by_integral(const PackedTets& packed);
 
 }  // namespace wellspaced

@@ -19,6 +19,22 @@ using Corners3 = std::vector<Index>;
 
 // ---- The input -----------------------------------------------------------------------------
 
+// Whether the points that name holes and regions are finite.
+Status check_seeds(const Pls& domain) {
+  const auto is_good = [](const Point3& p) { return is_finite(p); };
+  for (Index f = 0; f < domain.facets.size(); ++f)
+    if (!std::all_of(domain.facets[f].holes.begin(), domain.facets[f].holes.end(), is_good))
+      return Error{ErrorCode::kInvalidGeometry,
+                   "a hole of facet " + std::to_string(f) + " is not finite",
+                   {f}};
+  const bool is_fine =
+      std::all_of(domain.holes.begin(), domain.holes.end(), is_good) &&
+      std::all_of(domain.regions.begin(), domain.regions.end(),
+                  [](const Pls::Region& region) { return is_finite(region.seed); });
+  if (is_fine) return Ok{};
+  return Error{ErrorCode::kInvalidGeometry, "the point of a hole or region is not finite", {}};
+}
+
 Status check_names(const Pls& domain) {
   const auto is_point = [n = domain.points.size()](Index v) { return v < n; };
   for (Index f = 0; f < domain.facets.size(); ++f)
@@ -240,6 +256,7 @@ void mark_vertices(const std::vector<Index>& twin, const std::vector<Index>& fre
 Result<PolyhedralComplex> build_complex(const Pls& input, double flatness) {
   if (Status finite = check_points(input.points); !finite) return finite.error();
   if (Status named = check_names(input); !named) return named.error();
+  if (Status finite = check_seeds(input); !finite) return finite.error();
   const std::vector<Index> twin = lowest_twins(input.points);
   const auto merged = merge_coplanar_facets(welded(input, twin), flatness);
   if (!merged) return merged.error();

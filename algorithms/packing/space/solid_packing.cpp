@@ -309,7 +309,9 @@ Status SolidPacking::try_tet(Index t) {
   if (!(largest < sphere.radius) || !std::isfinite(sphere.radius)) return Ok{};
   if (2 * largest - options_.slope * sphere.radius > sphere.radius) return Ok{};
   const double radius = options_.radius(sphere.centre);
-  if (!(radius + largest <= sphere.radius) || !(radius > 0)) return Ok{};
+  if (!(radius > 0))
+    return Error{ErrorCode::kUsage, "the spacing is not positive inside the domain", {}};
+  if (radius + largest > sphere.radius) return Ok{};
   const bool is_certain = 2 * radius <= sphere.radius * (1 - options_.slope);
   return try_ball(t, sphere, radius, is_certain);
 }

@@ -51,7 +51,7 @@ struct PackedSolids {
 /// Errors: kInvalidGeometry where nothing is enclosed, or a facet has no solid on either side (ids:
 ///   the domain's facets), or where triangles or pieces are no faces and edges of the Delaunay
 ///   triangulation to begin with: then beta is too small for the domain (ids: facets, or else
-///   points). Those of Delaunay3::build.
+///   points); kUsage where a radius is not positive. Those of Delaunay3::build.
 /// Cost: O(n log n) expected for n points.
 /// Audit: audit_tet_mesh with the domain. See: Figure 4.3, i = 3; Theorems 4.3.4 to 4.3.6.
 Result<PackedSolids> pack_solids(const PolyhedralComplex& complex, const PackedSurface& surface,

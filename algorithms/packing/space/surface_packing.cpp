@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "wellspaced/algorithms/packing/interior_packing.hpp"
@@ -13,6 +16,13 @@
 
 namespace wellspaced {
 namespace {
+
+Error not_positive_at(Point3 p) {
+  return {ErrorCode::kUsage,
+          "the spacing is not positive at (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
+              ", " + std::to_string(p.z) + ")",
+          {}};
+}
 
 class SurfacePacking {
  public:
@@ -26,6 +36,7 @@ class SurfacePacking {
     surface_.segment_points = surface_.points.size() - complex_.points.size();
   }
   Status pack_facet(Index f);
+  Status check_radii() const;
   PackedSurface result();
 
  private:
@@ -43,17 +54,14 @@ class SurfacePacking {
   const PolyhedralComplex& complex_;
   const SurfaceOptions& options_;
   PackedSurface surface_;
+  std::optional<Point3> bad_place_;
 };
 
 Status SurfacePacking::pack_points() {
   surface_.points = complex_.points;
-  for (Index v = 0; v < complex_.points.size(); ++v) {
-    const double radius = complex_.is_vertex[v] ? options_.radius(complex_.points[v]) : 0;
-    if (complex_.is_vertex[v] && !(radius > 0))
-      return Error{ErrorCode::kUsage, "the spacing is not positive at a point of the domain", {v}};
-    surface_.radius.push_back(radius);
-  }
-  return Ok{};
+  for (Index v = 0; v < complex_.points.size(); ++v)
+    surface_.radius.push_back(complex_.is_vertex[v] ? options_.radius(complex_.points[v]) : 0);
+  return check_radii();
 }
 
 // The segment is laid along the x axis, where the plane's packing of segments takes over.
@@ -152,7 +160,12 @@ Status SurfacePacking::pack_facet(Index f) {
   std::vector<Index> on;
   const PackedBoundary boundary = boundary_of(facet, on);
   InteriorOptions interior;
-  interior.radius = [&](Point2 p) { return options_.radius(facet.frame.point(p)); };
+  // Where the radius is none, no ball is put, and the facet is refused afterwards.
+  interior.radius = [&](Point2 p) {
+    const double radius = options_.radius(facet.frame.point(p));
+    if (!(radius > 0)) bad_place_ = facet.frame.point(p);
+    return radius > 0 ? radius : std::numeric_limits<double>::infinity();
+  };
   interior.may_add = staying_far(facet);
   interior.slope = options_.slope;
   interior.zone_at = zones_over(complex_, facet);
@@ -162,6 +175,7 @@ Status SurfacePacking::pack_facet(Index f) {
   interior.progress = options_.progress;
   const auto packed = pack_interior(boundary, interior);
   if (!packed) return packed.error();
+  if (bad_place_) return not_positive_at(*bad_place_);
   if (packed->was_cancelled) return Error{ErrorCode::kCancelled, "cancelled", {}};
   if (!packed->is_complete)
     return Error{ErrorCode::kLimit, "the facets need more points than the limit", {}};
@@ -175,6 +189,15 @@ Status SurfacePacking::pack_facet(Index f) {
   for (const auto& [a, b, c] : packed->mesh.triangles)
     surface_.triangles.push_back({number[a], number[b], number[c]});
   surface_.on_facet.push_back(std::move(on));
+  return Ok{};
+}
+
+// Whether all balls have a radius: a size function is asked at many places.
+Status SurfacePacking::check_radii() const {
+  for (Index v = 0; v < surface_.points.size(); ++v) {
+    const bool is_node = v >= complex_.points.size() || complex_.is_vertex[v];
+    if (is_node && !(surface_.radius[v] > 0)) return not_positive_at(surface_.points[v]);
+  }
   return Ok{};
 }
 
@@ -195,6 +218,7 @@ Result<PackedSurface> pack_surface(const PolyhedralComplex& complex,
   packing.end_segments();
   for (Index f = 0; f < complex.facets.size(); ++f)
     if (Status status = packing.pack_facet(f); !status) return status.error();
+  if (Status status = packing.check_radii(); !status) return status.error();
   return packing.result();
 }
 

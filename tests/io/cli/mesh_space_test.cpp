@@ -52,7 +52,7 @@ TEST(MeshCommandInSpace, MeshesACubeThatTheAuditPasses) {
   EXPECT_NEAR(json["radius_edge"]["bound"].number(), 116.569, 0.001);
   for (const char* key :
        {"nodes", "tets", "boundary_faces", "boundary_edges", "segment_points", "facet_points",
-        "balls_packed", "beta", "slivers", "edges", "seconds", "peak_bytes"})
+        "balls_packed", "beta", "nodes_by_integral", "slivers", "edges", "seconds", "peak_bytes"})
     EXPECT_TRUE(json[key].exists()) << key;
   const std::string cells = test::read_bytes(directory / "m.ele");
   EXPECT_EQ(cells.substr(cells.find('\n') - 2, 2), " 1") << "the region's attribute";

@@ -117,6 +117,7 @@ TEST(PackDomain3, NeedsAsManyNodesAsTheLocalFeatureSizeSays) {
     const PackedTets mesh = packed(domain);
     const double constant =
         static_cast<double>(mesh.mesh.points.size()) / (1000 * spacing_integral(mesh, 10));
+    EXPECT_NEAR(nodes_by_integral(mesh), constant, 1e-9);
     RecordProperty(std::string("constant of ") + name, std::to_string(constant));
     EXPECT_GT(constant, 0.08);
     EXPECT_LT(constant, 0.2);
@@ -285,6 +286,14 @@ TEST(PackDomain3, RefusesDomainsWithoutFacetsAndOptionsOutOfRange) {
   EXPECT_EQ(error_of(test::unit_cube(), options).code, ErrorCode::kUsage);
   options = {};
   options.size = [](Point3) { return -1.0; };
+  EXPECT_EQ(error_of(test::unit_cube(), options).code, ErrorCode::kUsage);
+  options.size = [](Point3 p) { return p.x > 0.1 && p.x < 0.9 ? NAN : 1.0; };
+  EXPECT_EQ(error_of(test::unit_cube(), options).code, ErrorCode::kUsage);
+  options.size = [](Point3 p) { return std::min({p.x, p.y, p.z}) > 0.1 ? -1.0 : 1.0; };
+  EXPECT_EQ(error_of(test::unit_cube(), options).code, ErrorCode::kUsage);
+  options.size = [](Point3 p) {
+    return p.z == 0 && p.x > 0.1 && p.y > 0.1 && p.x + p.y < 1.8 ? 0.0 : 1.0;
+  };
   EXPECT_EQ(error_of(test::unit_cube(), options).code, ErrorCode::kUsage);
 }
 
