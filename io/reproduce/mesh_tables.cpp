@@ -130,13 +130,15 @@ void add_mesh_pictures(Exhibit& exhibit, const SuiteRow& row, const TriangleMesh
 constexpr double kMostPatternNodes = 1.7e6;
 constexpr unsigned kDeepestPattern = 8;
 
-double power(double base, unsigned exponent) {
+double pattern_power(double base, unsigned exponent) {
   double result = 1;
   for (unsigned i = 0; i < exponent; ++i) result *= base;
   return result;
 }
 
-double pattern_nodes(unsigned levels) { return (power(2, levels) + 1) * (power(3, levels) + 1); }
+double pattern_nodes(unsigned levels) {
+  return (pattern_power(2, levels) + 1) * (pattern_power(3, levels) + 1);
+}
 
 unsigned pattern_levels(double scale) {
   unsigned levels = 1;
@@ -166,10 +168,10 @@ Result<std::vector<double>> pattern_angles(unsigned levels, const Progress& prog
 
 ExhibitRow degradation_row(unsigned level, std::span<const double> measured,
                            const PublishedDegradation& published) {
-  const double formula = arccotangent_deg(power(3, level) / power(2, level));
+  const double formula = arccotangent_deg(pattern_power(3, level) / pattern_power(2, level));
   std::optional<double> angle;
   if (level < measured.size()) angle = measured[level];
-  const double pattern = power(6, level), needed = pattern_nodes(level);
+  const double pattern = pattern_power(6, level), needed = pattern_nodes(level);
   return {std::to_string(level),
           {{angle, published[0], angle, angle},
            {formula, published[0], formula, formula},
