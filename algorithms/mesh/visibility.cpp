@@ -11,8 +11,8 @@
 namespace wellspaced {
 namespace {
 
-constexpr unsigned next_corner(unsigned i) { return (i + 1) % 3; }
-constexpr unsigned previous_corner(unsigned i) { return (i + 2) % 3; }
+constexpr unsigned corner_after(unsigned i) { return (i + 1) % 3; }
+constexpr unsigned corner_before(unsigned i) { return (i + 2) % 3; }
 
 int sign_of_step(double from, double to) { return (from < to) - (to < from); }
 
@@ -85,7 +85,7 @@ Visibility::Place Visibility::leave_node(const Line& line, Index v,
   for (const Index t : links_.around(v)) {
     const auto& corners = mesh_.triangles[t];
     const unsigned i = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
-    const Index a = corners[next_corner(i)], b = corners[previous_corner(i)];
+    const Index a = corners[corner_after(i)], b = corners[corner_before(i)];
     if (a == line.to || b == line.to) return {line.to, kNoIndex, 0};
     const int side_a = orient2d(line.from, line.end, mesh_.points[a]);
     const int side_b = orient2d(line.from, line.end, mesh_.points[b]);
@@ -109,22 +109,22 @@ Visibility::Place Visibility::leave_triangle(const Line& line, Index t) const {
     if (side[i] == 0 && is_ahead(p, line.from, line.end)) return {corners[i], kNoIndex, 0};
   }
   for (unsigned i = 0; i < 3; ++i)
-    if (side[next_corner(i)] < 0 && side[previous_corner(i)] > 0) return {kNoIndex, t, i};
+    if (side[corner_after(i)] < 0 && side[corner_before(i)] > 0) return {kNoIndex, t, i};
   return {};
 }
 
 // Over the edge into the next triangle: out of it by another edge, or to its far corner.
 Visibility::Place Visibility::cross_edge(const Line& line, Place place) const {
-  const Index from = mesh_.triangles[place.triangle][previous_corner(place.corner)];
+  const Index from = mesh_.triangles[place.triangle][corner_before(place.corner)];
   const Index t = links_.neighbor(place.triangle, place.corner);
   if (t == kNoIndex) return {};
   const auto& corners = mesh_.triangles[t];
   // In t the edge crossed runs from `from`, on the left of the line, to the corner on its right.
   const unsigned left = corners[0] == from ? 0 : corners[1] == from ? 1 : 2;
-  const unsigned apex = previous_corner(left);
+  const unsigned apex = corner_before(left);
   const int side = orient2d(line.from, line.end, mesh_.points[corners[apex]]);
   if (side == 0) return {corners[apex], kNoIndex, 0};
-  return {kNoIndex, t, side > 0 ? left : next_corner(left)};
+  return {kNoIndex, t, side > 0 ? left : corner_after(left)};
 }
 
 SightSearch::SightSearch(const Visibility& visibility)
@@ -166,7 +166,7 @@ void SightSearch::flood(Index p, double radius) {
     for (unsigned i = 0; i < 3; ++i) {
       const Index neighbor = visibility_.links().neighbor(t, i);
       const bool done = neighbor != kNoIndex && triangle_stamp_[neighbor] == stamp_;
-      const Index a = corners[next_corner(i)], b = corners[previous_corner(i)];
+      const Index a = corners[corner_after(i)], b = corners[corner_before(i)];
       if (done || !edge_meets_disc(a, b, centre, radius)) continue;
       if (neighbor != kNoIndex) {
         enter(neighbor);
