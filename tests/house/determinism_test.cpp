@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/generate/point_sets.hpp"
 #include "wellspaced/algorithms/generate/points3.hpp"
+#include "wellspaced/algorithms/packing/space/pack_domain3.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/sha256.hpp"
 #include "wellspaced/kernel/space/delaunay3_queries.hpp"
@@ -68,6 +69,27 @@ TEST(Determinism, OfTriangulatedPointsOfSpace) {
         line_points3(40), helix_points3(300, 20, 1)})
     bytes.add(real_tets(*Delaunay3::build(points)));
   EXPECT_EQ(bytes.hash(), "2b860bd24f30791b0ec4fadddfbc58bf5894b1ff3a3aca5579da92791879be00");
+}
+
+// A cube turned out of the axes.
+TEST(Determinism, OfPackingInSpace) {
+  Pls cube;
+  for (int i = 0; i < 8; ++i) {
+    const double x = i & 1, y = i >> 1 & 1, z = i >> 2;
+    cube.points.push_back(
+        {(2 * x - 2 * y + z) / 3, (2 * x + y - 2 * z) / 3, (x + 2 * y + 2 * z) / 3});
+  }
+  for (const std::vector<Index>& side : {std::vector<Index>{0, 1, 3, 2},
+                                         {4, 5, 7, 6},
+                                         {0, 1, 5, 4},
+                                         {2, 3, 7, 6},
+                                         {0, 2, 6, 4},
+                                         {1, 3, 7, 5}})
+    cube.facets.push_back({{side}, {}, 1});
+  const PackedTets packed = *pack_domain3(cube);
+  Bytes bytes;
+  bytes.add(packed.mesh.points).add(packed.mesh.tets).add(packed.mesh.facets).add(packed.radius);
+  EXPECT_EQ(bytes.hash(), "fd0103bfc20b5540d829518bcc5d85079abbdacfa15bb1b6d6688e906cedc24e");
 }
 
 TEST(Determinism, OfSplitCrossings) {
