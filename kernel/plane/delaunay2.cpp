@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/check_points.hpp"
+#include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
@@ -168,7 +169,9 @@ bool Delaunay2::start() {
   while (c < n && turn(0, b, c) == 0) ++c;
   if (c >= n) return false;
   dimension_ = 2;
-  topology_.triangles_.reserve(2 * static_cast<std::size_t>(n));
+  auto& triangles = topology_.triangles_;
+  triangles.reserve(2 * static_cast<std::size_t>(n));
+  prefer_large_pages(triangles.data(), triangles.capacity() * sizeof(triangles[0]));
   turn(0, b, c) > 0 ? topology_.reset(0, b, c) : topology_.reset(0, c, b);
   return true;
 }
@@ -205,10 +208,15 @@ void Delaunay2::number_as_input(std::span<const Point2> points, std::vector<Inde
     for (std::size_t i = 0; i < order.size(); ++i) representative_[input_number[i]] = order[i];
     duplicate_count_ += duplicates.size();
   }
+  index_triangles();
   for (auto& triangle : topology_.triangles_)
     for (Index& v : triangle.vertex)
       if (v != kGhost) v = order[v];
-  index_triangles();
+  // Only here the numbers jump about: in insertion order, neighbours are near each other.
+  const std::vector<Index> triangle_of = std::move(triangle_of_);
+  triangle_of_.assign(points_.size(), kNoIndex);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (triangle_of[i] != kNoIndex) triangle_of_[order[i]] = triangle_of[i];
 }
 
 void Delaunay2::allocate_representatives() {
