@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/algorithms/audit/places.hpp"
+#include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
 
@@ -27,6 +29,32 @@ std::vector<Index> numbers_of(std::span<const Point2> places, std::span<const Po
   return numbers;
 }
 
+// The points on the open segment from a to b, but for the rounding that the audit of domains
+// allows, in their order along it.
+std::vector<Index> points_along(Point2 a, Point2 b, std::span<const Point2> points,
+                                const BoxTree<2>& tree) {
+  constexpr double kUnits = 2;
+  const auto along = [&](Point2 p) {
+    return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+  };
+  Box<2> around = box_of(a, b);
+  const double x = rounding_between(a.x, b.x, kUnits), y = rounding_between(a.y, b.y, kUnits);
+  around.grow({{around.low[0] - x, around.low[1] - y}, {around.high[0] + x, around.high[1] + y}});
+  std::vector<std::pair<double, Index>> found;
+  tree.search([&](const auto& box) { return touch(box, around); },
+              [&](Index v) {
+                const double t = along(points[v]);
+                if (t > 0 && t < along(b) && points[v] != b && touch(box_of(points[v]), around) &&
+                    passes_near(a, b, points[v], kUnits))
+                  found.push_back({t, v});
+                return true;
+              });
+  std::sort(found.begin(), found.end());
+  std::vector<Index> result;
+  for (const auto& [t, v] : found) result.push_back(v);
+  return result;
+}
+
 Result<Pslg> joined(std::span<const Point2> points, const Pslg& domain) {
   const std::vector<Index> numbers = numbers_of(domain.points, points);
   Error missing{ErrorCode::kInvalidGeometry, "points of the domain are not among the points", {}};
@@ -36,8 +64,17 @@ Result<Pslg> joined(std::span<const Point2> points, const Pslg& domain) {
   Pslg graph;
   graph.points.assign(points.begin(), points.end());
   graph.holes = domain.holes;
-  for (const Segment& s : domain.segments)
-    graph.segments.push_back({numbers[s.a], numbers[s.b], s.marker});
+  std::vector<Box<2>> boxes;
+  for (const Point2 p : points) boxes.push_back(box_of(p));
+  const BoxTree<2> tree(boxes);
+  for (const Segment& s : domain.segments) {
+    Index last = numbers[s.a];
+    for (const Index v : points_along(domain.points[s.a], domain.points[s.b], points, tree)) {
+      graph.segments.push_back({last, v, s.marker});
+      last = v;
+    }
+    graph.segments.push_back({last, numbers[s.b], s.marker});
+  }
   return graph;
 }
 

@@ -9,7 +9,8 @@
 namespace wellspaced::audit {
 
 /// The constrained Delaunay triangulation of points in a domain; its nodes are the points. Without
-/// a domain (null) that of their convex hull. Holes are the regions with a seed where the domain
+/// a domain (null) that of their convex hull. Points beside a segment by no more than rounding (2
+/// units in the last place) lie on it. Holes are the regions with a seed where the domain
 /// has any, else by parity. Errors: those of triangulate(); kInvalidGeometry where points of the
 /// domain are not among the
 ///   points, or its segments cross elsewhere (ids: points of the domain).

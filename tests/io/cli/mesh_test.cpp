@@ -94,6 +94,19 @@ TEST(MeshCommand, LeavesTheSpacingWhereAuditFindsIt) {
   EXPECT_EQ(bare.out.find("lipschitz"), std::string::npos);
 }
 
+// The points on its sides lie beside them by their rounding.
+TEST(MeshCommand, PutsPointsThatAuditKnowsOnAnObliqueDomain) {
+  const TemporaryDirectory directory;
+  const std::string domain = directory.write(
+      "oblique.poly", "4 2 0 0\n0 0 0\n1 3 1\n2 2 4\n3 -1 3\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
+  mesh({domain, "-o", directory / "m", "--size", "0.2"}, "");
+  EXPECT_EQ(run_program({"convert", directory / "m.node", directory / "p.xyz"}).exit_code, 0);
+  const auto run = run_program(
+      {"audit", directory / "p.xyz", "--spacing", directory / "m.spacing", "--domain", domain});
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  EXPECT_EQ(run.out.find("boundary_distance                 0\n"), std::string::npos);
+}
+
 TEST(MeshCommand, ListsWhatIsWithoutGuaranteeAtSmallAngles) {
   const auto refused = run_program({"mesh", "-"}, kWedge);
   EXPECT_EQ(refused.exit_code, 4);
