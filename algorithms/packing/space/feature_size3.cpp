@@ -353,8 +353,7 @@ double FeatureSize3::distance_between(const Item& x, const Item& y) const {
   const double from = dot(p.a - q.a, normal), to = dot(p.a + p.ab - q.a, normal);
   if ((from < 0) != (to < 0)) {
     const Point3 through = p.a + (from / (from - to)) * p.ab;
-    Shape flat = q;
-    if (flat.distance_sq(through) <= 0x1p-80 * length_sq(p.ab)) return 0;
+    if (q.distance_sq(through) <= 0x1p-80 * length_sq(p.ab)) return 0;
   }
   return std::sqrt(std::min({q.distance_sq(p.a), q.distance_sq(p.a + p.ab),
                              distance_sq_of_stretches(p.a, p.ab, q.a, q.ab),

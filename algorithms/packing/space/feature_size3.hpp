@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include "wellspaced/algorithms/packing/space/polyhedral_complex.hpp"

@@ -81,7 +81,6 @@ class SolidPacking {
 
   const Point3& point(Index v) const { return delaunay_.points()[v]; }
   const Triangulation3& topology() const { return delaunay_.topology(); }
-  Index first_new() const { return first_far_ + kFarPoints; }
   Index facet_of(Index triangle) const;
   Index triangle_at(Facet3 f) const;
   bool is_on_facet(Index v, Index facet) const;
@@ -297,9 +296,10 @@ Status SolidPacking::run() {
   return Ok{};
 }
 
-// Adds the circumcentre of a tet if there is room for its ball. Where the slope of the radius
-// tells, it need not be asked for, nor need others than the corners be looked at: a ball that meets
-// any other meets one within twice its radius and a little.
+// Adds the circumcentre of a tet if there is room for its ball. No vertex is nearer to it than the
+// corners, R away, and where the radius grows by at most `slope`, one at the distance L has a ball
+// of at most r + slope L. So the radius r need not be asked for where even the least that it can be
+// is too much; and no other vertex need be looked at where 2 r <= (1 - slope) R.
 Status SolidPacking::try_tet(Index t) {
   const Tet& corners = topology().vertices(t);
   const Circumsphere sphere =
