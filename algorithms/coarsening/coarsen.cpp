@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "wellspaced/algorithms/coarsening/skeleton.hpp"
 #include "wellspaced/algorithms/coarsening/source_mesh.hpp"
 #include "wellspaced/algorithms/coarsening/special_points.hpp"
+#include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
 #include "wellspaced/kernel/check_points.hpp"
@@ -73,6 +75,8 @@ Status check_options(const CoarseningOptions& options, std::size_t nodes) {
     return usage("the drift of the boundary must be a number, 0 or more");
   if (options.method == CoarseningMethod::kMis && options.scheme != CoarseningScheme::kFineToCoarse)
     return usage("MIS-based levels are selected from the level before: fine to coarse alone");
+  if (options.method == CoarseningMethod::kMis && options.limit_by_special_points)
+    return usage("MIS-based levels have no spacing that special points could limit");
   if (options.method == CoarseningMethod::kQuadtree &&
       (options.scheme != CoarseningScheme::kCoarseToFine ||
        options.metric != SpacingMetric::kEuclidean || options.limit_by_boundary ||
@@ -133,6 +137,28 @@ Result<std::vector<double>> keep_boundary(TriangleMesh& mesh, const CoarseningOp
   return sampled([&](Point2 p) { return plain ? lfs->at(p) : lfs->geodesic_at(p); }, mesh.points);
 }
 
+// A spacing f sets nodes 2 f / beta apart: at each special point as far as it is from the next one.
+std::vector<double> special_point_limit(const TriangleMesh& mesh, double beta) {
+  std::vector<double> limit(mesh.points.size(), std::numeric_limits<double>::infinity());
+  const std::vector<double> apart = special_point_distances(mesh);
+  for (std::size_t i = 0; i < apart.size(); ++i) limit[mesh.fixed[i]] = apart[i];
+  return euclidean_coarsened_spacing(mesh.points, limit, beta / 2);
+}
+
+// The least of all limits on the spacing that the options ask for; empty if there are none.
+Result<std::vector<double>> spacing_limit(TriangleMesh& mesh, const CoarseningOptions& options) {
+  std::vector<double> limit;
+  if (options.limit_by_boundary) {
+    auto lfs = keep_boundary(mesh, options);
+    if (!lfs) return lfs.error();
+    limit = std::move(*lfs);
+  }
+  if (!options.limit_by_special_points) return limit;
+  std::vector<double> special = special_point_limit(mesh, options.beta);
+  for (std::size_t v = 0; v < limit.size(); ++v) special[v] = std::min(special[v], limit[v]);
+  return special;
+}
+
 Level finest_level(TriangleMesh mesh, const Graph& graph, const CoarseningOptions& options) {
   Level level;
   level.spacing = input_spacing(mesh, graph, options);
@@ -178,19 +204,16 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   Skeleton skeleton = uses_graph(options) ? skeleton_of(mesh) : skeleton_without_graph(mesh);
   mesh.fixed = special_points(mesh, skeleton, options);
   complete_segments(mesh, skeleton.boundary);
-  std::vector<double> limit;
-  if (options.limit_by_boundary) {
-    auto lfs = keep_boundary(mesh, options);
-    if (!lfs) return lfs.error();
-    limit = std::move(*lfs);
-  }
-  Level finest = finest_level(std::move(mesh), skeleton.graph, options);
   if (options.method == CoarseningMethod::kQuadtree) {
+    Level finest = finest_level(std::move(mesh), skeleton.graph, options);
     Boundary boundary = std::move(skeleton.boundary);
     skeleton = {};  // large, and of no more use
     return coarsen_by_quadtree(std::move(finest), std::move(boundary), options);
   }
-  return build_levels(std::move(finest), std::move(skeleton), limit, options);
+  const auto limit = spacing_limit(mesh, options);
+  if (!limit) return limit.error();
+  Level finest = finest_level(std::move(mesh), skeleton.graph, options);
+  return build_levels(std::move(finest), std::move(skeleton), *limit, options);
 }
 
 }  // namespace wellspaced

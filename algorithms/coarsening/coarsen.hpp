@@ -59,6 +59,10 @@ struct CoarseningOptions {
   /// Whether coarsened spacings stay below the local feature size of the boundary description,
   /// whose vertices then are special points: no level simplifies the boundary (section 5.5).
   bool limit_by_boundary = false;
+  /// Whether nodes near a special point stay no farther apart than it is from the next special
+  /// point. Otherwise boundary triangles between special points close together get flat on coarse
+  /// levels. Costs nodes around all special points on all levels. Not for kMis.
+  bool limit_by_special_points = false;
   /// The spacing g of the input, one value > 0 a node; default: see input_spacing().
   std::optional<std::vector<double>> spacing = std::nullopt;
   SelectionOrder order = SelectionOrder::kRandom;

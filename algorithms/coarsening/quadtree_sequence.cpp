@@ -196,7 +196,8 @@ Result<Level> make_level(const Level& finest, const QuadtreeStage& stage,
 
 // ---- The sequence
 
-// From M_0's stage on, until the tree is one leaf that no candidate can be dropped from.
+// From M_0's stage on, until the tree gets no coarser: mostly one leaf, that no candidate can be
+// dropped from.
 std::vector<QuadtreeStage> make_stages(const Level& finest, const Boundary& boundary,
                                        const CoarseningOptions& options, const TellPhase& tell) {
   int doublings = 1;
@@ -204,9 +205,14 @@ std::vector<QuadtreeStage> make_stages(const Level& finest, const Boundary& boun
   std::vector<QuadtreeStage> stages;
   if (!tell("spacing")) return stages;
   stages.push_back(first_stage(finest, boundary, options.beta));
+  Quadtree least(stages[0].tree.square());
+  if (options.limit_by_special_points)
+    least = tree_of_special_points(stages[0], finest, options.beta);
   while (stages.size() <= options.max_levels && stages.back().tree.leaves() > 1) {
     if (!tell("spacing")) return {};
-    stages.push_back(next_stage(stages.back(), doublings));
+    QuadtreeStage next = next_stage(stages.back(), doublings, least);
+    if (next.tree.leaves() >= stages.back().tree.leaves()) break;
+    stages.push_back(std::move(next));
     if (stages.size() == 2) stages[0] = {};  // the largest; no level is selected from it
   }
   return stages;

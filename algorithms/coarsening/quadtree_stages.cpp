@@ -8,7 +8,9 @@
 
 #include "wellspaced/algorithms/coarsening/contracted_boundary.hpp"
 #include "wellspaced/algorithms/coarsening/node_selection.hpp"
+#include "wellspaced/algorithms/coarsening/special_points.hpp"
 #include "wellspaced/algorithms/spacing/quadtree_spacing.hpp"
+#include "wellspaced/algorithms/spacing/spacing_function.hpp"
 #include "wellspaced/kernel/radix_sort.hpp"
 
 namespace wellspaced {
@@ -223,18 +225,24 @@ QuadtreeStage first_stage(const Level& finest, const Boundary& boundary, double 
   return stage;
 }
 
-QuadtreeStage next_stage(const QuadtreeStage& stage, int doublings) {
+QuadtreeStage next_stage(const QuadtreeStage& stage, int doublings, const Quadtree& least) {
   QuadtreeStage next;
   next.tree = coarsened(stage.tree, stage.topology, QuadtreeBalance::kEdge);
+  for (int i = 1; i < doublings; ++i)
+    next.tree = coarsened(next.tree, QuadtreeTopology(next.tree), QuadtreeBalance::kEdge);
+  if (least.leaves() > 1) next.tree = overlay(next.tree, least);
   next.topology = QuadtreeTopology(next.tree);
-  for (int i = 1; i < doublings; ++i) {
-    next.tree = coarsened(next.tree, next.topology, QuadtreeBalance::kEdge);
-    next.topology = QuadtreeTopology(next.tree);
-  }
   inherit_candidates(stage, surviving_candidates(stage, next), next);
   find_leaves(next);
   find_spacing(next);
   return next;
+}
+
+Quadtree tree_of_special_points(const QuadtreeStage& stage, const Level& finest, double beta) {
+  std::vector<Point2> special;
+  for (const Index v : finest.mesh.fixed) special.push_back(finest.mesh.points[v]);
+  const std::vector<double> sizes = scaled(special_point_distances(finest.mesh), beta);
+  return quadtree_of_sizes(stage.tree.square(), special, sizes, QuadtreeBalance::kEdge);
 }
 
 }  // namespace wellspaced

@@ -52,6 +52,12 @@ QuadtreeStage first_stage(const Level& finest, const Boundary& boundary, double 
 /// points all stay, and boundary nodes that are needed to keep the boundary from crossing itself.
 /// Cost: linear in the candidates of this stage, but for contracting the boundary.
 /// See: Theorem 5.8.8.
-QuadtreeStage next_stage(const QuadtreeStage& stage, int doublings);
+/// least: a tree that no stage gets coarser than; its root alone if none is.
+QuadtreeStage next_stage(const QuadtreeStage& stage, int doublings, const Quadtree& least);
+
+/// The tree whose leaves at the special points are at most beta times as wide as these are apart,
+/// so that nodes near them get no farther apart than that. stage: stage 0. Requires: as
+/// first_stage().
+Quadtree tree_of_special_points(const QuadtreeStage& stage, const Level& finest, double beta);
 
 }  // namespace wellspaced

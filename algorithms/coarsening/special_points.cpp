@@ -6,6 +6,7 @@
 
 #include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
 #include "wellspaced/algorithms/coarsening/far_points.hpp"
+#include "wellspaced/algorithms/spacing/nearest_neighbor.hpp"
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
 
@@ -153,6 +154,12 @@ std::vector<Index> automatic_special_points(const TriangleMesh& mesh, const Skel
   for (const Index v : boundary.nodes)
     if (pinned[v]) special.push_back(v);
   return special;
+}
+
+std::vector<double> special_point_distances(const TriangleMesh& mesh) {
+  std::vector<Point2> special;
+  for (const Index v : mesh.fixed) special.push_back(mesh.points[v]);
+  return nearest_neighbor_spacing(special);
 }
 
 }  // namespace wellspaced

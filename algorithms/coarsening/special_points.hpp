@@ -17,4 +17,8 @@ namespace wellspaced {
 /// See: section 8.2, CHOICES 6.
 std::vector<Index> automatic_special_points(const TriangleMesh& mesh, const Skeleton& skeleton);
 
+/// For each of mesh.fixed the distance of the nearest other one elsewhere; infinite if there is
+/// none.
+std::vector<double> special_point_distances(const TriangleMesh& mesh);
+
 }  // namespace wellspaced

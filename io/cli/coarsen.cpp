@@ -149,6 +149,7 @@ Request read_request(Arguments& arguments, std::uint64_t seed) {
   options.order = static_cast<SelectionOrder>(
       arguments.choice("--order", request.multigrid ? 1 : 0, {"random", "priority"}));
   options.limit_by_boundary = arguments.has("--boundary-lfs");
+  options.limit_by_special_points = arguments.has("--special-lfs");
   request.methods = read_methods(arguments);
   request.statistics =
       static_cast<Statistics>(arguments.choice("--stats", 1, {"none", "basic", "full"}));
@@ -505,6 +506,7 @@ constexpr std::array kOptions = {
            "of nodes within a level: random, by --seed; priority: largest spacing first (default "
            "of the profile multigrid)"},
     Option{"--boundary-lfs", "", "keep the boundary: spacing at most its local feature size"},
+    Option{"--special-lfs", "", "space nodes near special points as these are spaced: angles stay"},
     Option{"--spacing", "FILE", "the spacing of the input, one value a node; then it is coarsened"},
     Option{"--fixed", "FILE", "0-based numbers of the nodes to keep in all levels"},
     Option{"--levels", "K", "at most K levels beside the input"},

@@ -184,6 +184,19 @@ Quadtree quadtree_of_sizes(const Square& square, std::span<const Point2> points,
   return balanced_quadtree(square, std::move(splits), balance);
 }
 
+// A leaf of the overlay is a leaf of one tree within one of the other: it starts where either does.
+Quadtree overlay(const Quadtree& a, const Quadtree& b) {
+  std::vector<MortonCode> starts;
+  starts.reserve(std::max(a.leaves(), b.leaves()));
+  for (Index i = 0, j = 0; i < a.leaves() || j < b.leaves();) {
+    const MortonCode start = std::min(a.start(i), b.start(j));  // past the last: the end of all
+    i += a.start(i) == start;
+    j += b.start(j) == start;
+    starts.push_back(start);
+  }
+  return Quadtree(a.square(), std::move(starts));
+}
+
 Result<Quadtree> quadtree_of_spacing(const Square& square,
                                      const std::function<double(const Box2&)>& least_in,
                                      QuadtreeBalance balance, std::size_t max_leaves) {

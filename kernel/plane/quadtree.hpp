@@ -84,6 +84,10 @@ Quadtree quadtree_of_points(const Square& square, std::span<const Point2> points
 Quadtree quadtree_of_sizes(const Square& square, std::span<const Point2> points,
                            std::span<const double> sizes, QuadtreeBalance balance);
 
+/// The coarsest quadtree that is nowhere coarser than either; balanced where both are.
+/// Requires: the same square. Cost: linear in the leaves.
+Quadtree overlay(const Quadtree& a, const Quadtree& b);
+
 /// The coarsest balanced quadtree in which no leaf is larger than the least value of a spacing
 /// function g in it. For a 1-Lipschitz g its q_T satisfies a1 q_T <= g <= a2 q_T (Theorem 5.8.4
 /// with the constant C = 5 sqrt(2) of its erratum: side <= g <= 5 sqrt(2) side in every leaf).

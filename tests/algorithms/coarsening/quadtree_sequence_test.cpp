@@ -38,7 +38,9 @@ Stages first_stages(const TriangleMesh& mesh, double beta, std::size_t count) {
   options.max_levels = 0;
   Stages result{coarsen(mesh, options)->levels[0], {}};
   result.stages.push_back(first_stage(result.finest, skeleton.boundary, beta));
-  while (result.stages.size() < count) result.stages.push_back(next_stage(result.stages.back(), 1));
+  const Quadtree root(result.stages[0].tree.square());
+  while (result.stages.size() < count)
+    result.stages.push_back(next_stage(result.stages.back(), 1, root));
   return result;
 }
 
@@ -199,6 +201,24 @@ TEST(QuadtreeSequence, StopsAtTheLevelsOrNodesAskedFor) {
   const auto& levels = hierarchy->levels;
   EXPECT_LE(levels.back().mesh.points.size(), 300u);
   EXPECT_GT(levels[levels.size() - 2].mesh.points.size(), 300u);
+}
+
+// Two neighbours on the boundary stay for ever: on coarse levels a triangle stands on their edge.
+TEST(QuadtreeSequence, KeepsAnglesBetweenSpecialPointsOnRequest) {
+  CoarseningOptions options = quadtree_options();
+  options.fixed = std::vector<Index>{0, 30, 31, 59, 3540, 3599};
+  const auto smallest_boundary_angle = [&] {
+    const auto hierarchy = coarsen(uniform_mesh(60), options);
+    double smallest = 180;
+    for (const Level& level : hierarchy->levels)
+      smallest = std::min(smallest, *angle_statistics(level.mesh).boundary_min_deg);
+    EXPECT_GT(hierarchy->levels.size(), 4u);
+    EXPECT_LT(hierarchy->levels.back().origin.size(), 200u);
+    return smallest;
+  };
+  EXPECT_LT(smallest_boundary_angle(), 3);
+  options.limit_by_special_points = true;
+  EXPECT_GT(smallest_boundary_angle(), 12);
 }
 
 TEST(QuadtreeSequence, GrowsBySeveralOctavesALevelOnRequest) {

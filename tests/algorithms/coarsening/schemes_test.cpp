@@ -300,6 +300,32 @@ TEST(LimitByBoundary, KeepsTheBoundaryDescriptionAndTheSpacingBelowItsFeatureSiz
   }
 }
 
+TEST(LimitBySpecialPoints, KeepsTheSpacingAroundThemBelowTheirDistance) {
+  const TriangleMesh mesh = test::grid_mesh({.nx = 48, .ny = 32, .jitter = 0, .seed = 11});
+  for (const CoarseningScheme scheme : kSchemes) {
+    CoarseningOptions options;
+    options.scheme = scheme;
+    options.beta = 6;
+    options.factor = 2;
+    options.fixed = std::vector<Index>{0, 20, 21, 48, 49 * 32, 49 * 33 - 1};
+    const auto without = coarsen(mesh, options);
+    options.limit_by_special_points = true;
+    const auto hierarchy = coarsen(mesh, options);
+    ASSERT_GT(hierarchy->levels.size(), 3u);
+    EXPECT_LT(without->levels.back().origin.size(), hierarchy->levels.back().origin.size());
+    for (const Level& level : hierarchy->levels)
+      for (Index v = 0; v < level.origin.size(); ++v)
+        for (const Index pin : {20, 21})
+          EXPECT_LE(level.spacing[v],
+                    (3 + distance(mesh.points[pin], level.mesh.points[v])) * (1 + 1e-12));
+    expect_valid(*hierarchy, options);
+  }
+  CoarseningOptions options;
+  options.method = CoarseningMethod::kMis;
+  options.limit_by_special_points = true;
+  EXPECT_EQ(coarsen(mesh, options).error().code, ErrorCode::kUsage);
+}
+
 TEST(BoundaryDescription, JoinsStraightChainsOfOneMarker) {
   TriangleMesh mesh = test::grid_mesh({.nx = 4, .ny = 3, .jitter = 0});
   const auto hierarchy = coarsen(mesh, {.max_levels = 0});

@@ -100,6 +100,22 @@ TEST(Quadtree, OfSizesIsTheCoarsestBalancedOne) {
   }
 }
 
+TEST(Quadtree, OverlayIsAsFineAsTheFinerEverywhere) {
+  for (const QuadtreeBalance balance : kBalances) {
+    const Square square{{0.5, 0.5}, 0.5};
+    const Quadtree a = quadtree_of_points(square, log_radial_points(60, 7), 1, balance);
+    const Quadtree b = quadtree_of_points(square, test::uniform_points(90, 8), 1, balance);
+    const Quadtree both = overlay(a, b);
+    EXPECT_TRUE(test::is_balanced(both, balance));
+    for (Index leaf = 0; leaf < both.leaves(); ++leaf) {
+      const MortonCode cell = both.start(leaf);
+      EXPECT_EQ(both.depth(leaf), std::max(a.depth(a.locate(cell)), b.depth(b.locate(cell))));
+    }
+    EXPECT_EQ(as_set(overlay(b, a)), as_set(both));
+    EXPECT_EQ(as_set(overlay(a, Quadtree(square))), as_set(a));
+  }
+}
+
 TEST(Quadtree, CountsEqualPointsOnce) {
   std::vector<Point2> points(5, Point2{3, 4});
   const auto leaves = [&] {
