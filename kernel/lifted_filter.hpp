@@ -22,7 +22,7 @@ inline Lifted lifted(Point2 a, Point2 p) {
 }
 
 /// orient2d(a, b, p), estimated.
-inline double minor(Lifted a, Lifted b) { return a.x * b.y - a.y * b.x; }
+inline double edge_minor(Lifted a, Lifted b) { return a.x * b.y - a.y * b.x; }
 
 /// incircle(a, b, c, p), estimated. Where its magnitude exceeds the bound, its sign is right.
 struct IncircleEstimate {

@@ -16,8 +16,8 @@
 namespace wellspaced {
 namespace {
 
+using predicate_filter::edge_minor;
 using predicate_filter::Lifted;
-using predicate_filter::minor;
 
 // Triangles are appended so many at a time.
 constexpr std::size_t kTriangleBlock = 1024;
@@ -154,13 +154,13 @@ class BulkInserter {
 
   // The rest of the walk, over the edge from a to b, which has p on the side of the link.
   SeenTriangle walk_over(std::uint32_t link, Lifted a, Lifted b) const {
-    double ab = minor(a, b);
+    double ab = edge_minor(a, b);
     for (;;) {
       const Triangle& t = triangle(link);
       const unsigned i = link & 3, next = next_corner(i), previous = previous_corner(i);
       const Lifted c = see(t.vertex[i]);
       if (t.vertex[i] == kGhostVertex) return {link, a, b, c, ab, 0, 0};
-      const double bc = minor(b, c), ca = minor(c, a);
+      const double bc = edge_minor(b, c), ca = edge_minor(c, a);
       if (side(t, next, b, c) < 0) {
         link = t.link[next];
         a = c;
@@ -213,12 +213,12 @@ class BulkInserter {
     Lifted start = root.a;
     Index before = kNoIndex;
     Index looks_towards[2] = {slots_[0], slots_[0]};  // the last that does not and that does
-    bool is_right = minor(start, next) >= 0;          // `start`, of the way to `next`
+    bool is_right = edge_minor(start, next) >= 0;     // `start`, of the way to `next`
     for (;;) {
       Triangle& t = triangles[e.link >> 3];
       const unsigned i = e.link & 3, next_i = next_corner(i), previous_i = previous_corner(i);
       const Lifted apex = see(t.vertex[i]);
-      const double in = minor(start, apex), out = minor(apex, e.end);
+      const double in = edge_minor(start, apex), out = edge_minor(apex, e.end);
       if (is_in_hole(t, e, start, apex, in, out)) {
         slots_[slot_count++] = e.link >> 3;
         if (slot_count == slots_.size()) make_room();
@@ -231,7 +231,7 @@ class BulkInserter {
                          {e.link, pack(slots_[k], 2), pack(before, 1)}};
       t.link[i] = pack(here, 0);
       before = here;
-      const bool end_is_right = minor(e.end, next) >= 0;
+      const bool end_is_right = edge_minor(e.end, next) >= 0;
       looks_towards[is_right & !end_is_right] = here;
       is_right = end_is_right;
       if (open == 0) break;
