@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
@@ -51,6 +52,20 @@ struct Level {
   std::size_t dropped_outside = 0;  ///< nodes of the finer level that the new boundary left outside
   std::optional<CoarseningWork> work;  ///< of the step to the next level; none from the last one
 };
+
+/// For each node of a level its number in another level of the same input, kNoIndex where it is not
+/// there. origin, other: Level::origin of the two; both ascend. Cost: linear.
+inline std::vector<Index> numbers_among(std::span<const Index> origin,
+                                        std::span<const Index> other) {
+  std::vector<Index> numbers;
+  numbers.reserve(origin.size());
+  Index next = 0;
+  for (const Index v : origin) {
+    while (next < other.size() && other[next] < v) ++next;
+    numbers.push_back(next < other.size() && other[next] == v ? next : kNoIndex);
+  }
+  return numbers;
+}
 
 /// levels[0] is the input, its segments completed and its fixed points those used. complete is
 /// false where coarsening was told to stop before its end; the levels that are there are whole.

@@ -218,17 +218,6 @@ std::vector<QuadtreeStage> make_stages(const Level& finest, const Boundary& boun
   return stages;
 }
 
-// For each node of a level its place among those of a finer one. Both ascend.
-std::vector<Index> places_among(std::span<const Index> origin, std::span<const Index> finer) {
-  std::vector<Index> places;
-  Index place = 0;
-  for (const Index v : origin) {
-    while (finer[place] != v) ++place;
-    places.push_back(place);
-  }
-  return places;
-}
-
 // levels: coarse to fine. Leaves out those that drop no node, and those after the first that has
 // few enough.
 void append_levels(std::vector<Level> levels, std::size_t until_nodes, Hierarchy& hierarchy) {
@@ -236,7 +225,7 @@ void append_levels(std::vector<Level> levels, std::size_t until_nodes, Hierarchy
     const Level& finer = hierarchy.levels.back();
     if (finer.mesh.points.size() <= until_nodes) return;
     if (level->mesh.points.size() == finer.mesh.points.size()) continue;
-    level->parent = places_among(level->origin, finer.origin);
+    level->parent = numbers_among(level->origin, finer.origin);
     hierarchy.levels.push_back(std::move(*level));
   }
 }

@@ -136,18 +136,6 @@ Result<Hierarchy> SchemeRun::fine_to_coarse() {
   return std::move(hierarchy_);
 }
 
-// For each node of a level its number in the next finer one, or kNoIndex.
-std::vector<Index> numbers_in(const Level& finer, const Level& level) {
-  std::vector<Index> numbers;
-  Index next = 0;
-  for (const Index origin : level.origin) {
-    while (next < finer.origin.size() && finer.origin[next] < origin) ++next;
-    const bool is_there = next < finer.origin.size() && finer.origin[next] == origin;
-    numbers.push_back(is_there ? next : kNoIndex);
-  }
-  return numbers;
-}
-
 // Figure 5.8: every level out of the finest mesh, by itself.
 Result<Hierarchy> SchemeRun::from_finest() {
   Hierarchy coarser;  // apart, so that the source stays where it is
@@ -166,7 +154,7 @@ Result<Hierarchy> SchemeRun::from_finest() {
       if (i < stalls) continue;
       break;
     }
-    built->level.parent = numbers_in(before, built->level);
+    built->level.parent = numbers_among(built->level.origin, before.origin);
     (is_first ? hierarchy_.levels[0] : coarser.levels.back()).work = built->work;
     coarser.levels.push_back(std::move(built->level));
   }
@@ -218,7 +206,7 @@ void SchemeRun::stack(std::vector<CoarseningStep> coarse_to_fine) {
   while (!coarse_to_fine.empty()) {
     CoarseningStep step = std::move(coarse_to_fine.back());
     coarse_to_fine.pop_back();
-    step.level.parent = numbers_in(hierarchy_.levels.back(), step.level);
+    step.level.parent = numbers_among(step.level.origin, hierarchy_.levels.back().origin);
     append(std::move(step));
   }
 }

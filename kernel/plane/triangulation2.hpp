@@ -87,6 +87,7 @@ class Triangulation2 {
     Index origin;
     std::uint32_t outside;
   };
+  static bool is_constrained_rim(RimEdge e) { return (e.outside & 4u) != 0; }
 
   /// Starts afresh with triangle (a, b, c) and its three ghosts.
   void reset(Index a, Index b, Index c);
