@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "wellspaced/algorithms/coarsening/boundary_curves.hpp"
@@ -47,17 +48,23 @@ class Walls {
 };
 
 constexpr double kCosine30Degrees = 0.86602540378443864676;
+constexpr double kCosine60Degrees = 0.5;
 
-bool turns_sharply(Point2 before, Point2 at, Point2 after) {
+// The part of its diameter by which the outline of a loop may be off.
+constexpr double kOutline = 0.15;
+
+bool turns_sharply(Point2 before, Point2 at, Point2 after, double cosine_of_corner) {
   const double in = distance(before, at), out = distance(at, after);
   const double cosine = (at.x - before.x) / in * ((after.x - at.x) / out) +
                         (at.y - before.y) / in * ((after.y - at.y) / out);
-  return cosine < kCosine30Degrees;
+  return cosine < cosine_of_corner;
 }
 
-bool is_corner(std::span<const Point2> points, std::span<const Segment> walls) {
+bool is_corner(std::span<const Point2> points, std::span<const Segment> walls,
+               double cosine_of_corner) {
   if (walls.size() != 2 || walls[0].marker != walls[1].marker) return true;
-  return turns_sharply(points[walls[0].b], points[walls[0].a], points[walls[1].b]);
+  return turns_sharply(points[walls[0].b], points[walls[0].a], points[walls[1].b],
+                       cosine_of_corner);
 }
 
 // The wall that follows u -> v around the face on its left, as the next node.
@@ -138,22 +145,96 @@ void pin_far_points(std::span<const Point2> points, std::span<const Index> loop,
   for (const std::size_t i : add_far_points(outline, std::move(chosen), count)) pinned[loop[i]] = 1;
 }
 
+// The place between two on a loop that is farthest from the line between them, if it is farther
+// than `off`; b may have gone around.
+std::optional<std::size_t> farthest_between(std::span<const Point2> loop, std::size_t a,
+                                            std::size_t b, double off) {
+  std::optional<std::size_t> place;
+  for (std::size_t i = a + 1; i < b; ++i) {
+    const double d =
+        distance_to_segment(loop[i % loop.size()], loop[a % loop.size()], loop[b % loop.size()]);
+    if (d > off) off = d, place = i;
+  }
+  return place;
+}
+
+// Pins points until the polygon of those pinned is nowhere far from the loop.
+void pin_outline(std::span<const Point2> points, std::span<const Index> nodes,
+                 std::vector<std::uint8_t>& pinned) {
+  std::vector<Point2> loop;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    loop.push_back(points[nodes[i]]);
+    if (pinned[nodes[i]]) chosen.push_back(i);
+  }
+  const std::vector<std::size_t> far = add_far_points(loop, {}, 2);
+  if (far.size() < 2) return;
+  const double off = kOutline * distance(loop[far[0]], loop[far[1]]);
+  if (chosen.size() < 2) chosen = add_far_points(loop, std::move(chosen), 2);
+  std::ranges::sort(chosen);
+  for (const std::size_t i : chosen) pinned[nodes[i]] = 1;
+
+  std::vector<std::pair<std::size_t, std::size_t>> arcs;  // the end may have gone around
+  for (std::size_t k = 0; k + 1 < chosen.size(); ++k) arcs.emplace_back(chosen[k], chosen[k + 1]);
+  arcs.emplace_back(chosen.back(), chosen.front() + loop.size());
+  while (!arcs.empty()) {
+    const auto [a, b] = arcs.back();
+    arcs.pop_back();
+    const auto place = farthest_between(loop, a, b, off);
+    if (!place) continue;
+    pinned[nodes[*place % loop.size()]] = 1;
+    arcs.emplace_back(a, *place);
+    arcs.emplace_back(*place, b);
+  }
+}
+
+std::vector<std::vector<Index>> all_loops(const Skeleton& skeleton, const Walls& walls) {
+  auto loops = face_loops(skeleton.corners, walls);
+  append_loose_loops(skeleton.corners, skeleton.boundary.curves, loops);
+  return loops;
+}
+
+std::vector<std::uint8_t> pinned_corners(const TriangleMesh& mesh, const Boundary& boundary,
+                                         const Walls& walls, double cosine_of_corner) {
+  std::vector<std::uint8_t> pinned(mesh.points.size(), 0);
+  for (const Index v : boundary.nodes)
+    pinned[v] = is_corner(mesh.points, walls.from(v), cosine_of_corner);
+  return pinned;
+}
+
+std::vector<Index> all_pinned(std::span<const std::uint8_t> pinned) {
+  std::vector<Index> special;
+  for (Index v = 0; v < pinned.size(); ++v)
+    if (pinned[v]) special.push_back(v);
+  return special;
+}
+
 }  // namespace
 
 std::vector<Index> automatic_special_points(const TriangleMesh& mesh, const Skeleton& skeleton) {
-  const Boundary& boundary = skeleton.boundary;
-  const Walls walls(boundary_segments(boundary));
+  const Walls walls(boundary_segments(skeleton.boundary));
+  auto pinned = pinned_corners(mesh, skeleton.boundary, walls, kCosine30Degrees);
+  for (const auto& loop : all_loops(skeleton, walls)) pin_far_points(mesh.points, loop, pinned);
+  return all_pinned(pinned);
+}
+
+std::vector<Index> outline_special_points(const TriangleMesh& mesh, const Skeleton& skeleton) {
+  const Walls walls(boundary_segments(skeleton.boundary));
+  auto pinned = pinned_corners(mesh, skeleton.boundary, walls, kCosine60Degrees);
+  for (const auto& loop : all_loops(skeleton, walls)) {
+    pin_outline(mesh.points, loop, pinned);
+    pin_far_points(mesh.points, loop, pinned);
+  }
+  return all_pinned(pinned);
+}
+
+std::vector<Index> completed_special_points(const TriangleMesh& mesh, const Skeleton& skeleton,
+                                            std::span<const Index> given) {
   std::vector<std::uint8_t> pinned(mesh.points.size(), 0);
-  for (const Index v : boundary.nodes) pinned[v] = is_corner(mesh.points, walls.from(v));
-
-  auto loops = face_loops(skeleton.corners, walls);
-  append_loose_loops(skeleton.corners, boundary.curves, loops);
-  for (const auto& loop : loops) pin_far_points(mesh.points, loop, pinned);
-
-  std::vector<Index> special;
-  for (const Index v : boundary.nodes)
-    if (pinned[v]) special.push_back(v);
-  return special;
+  for (const Index v : given) pinned[v] = 1;
+  const Walls walls(boundary_segments(skeleton.boundary));
+  for (const auto& loop : all_loops(skeleton, walls)) pin_far_points(mesh.points, loop, pinned);
+  return all_pinned(pinned);
 }
 
 std::vector<double> special_point_distances(const TriangleMesh& mesh) {

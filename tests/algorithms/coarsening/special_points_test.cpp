@@ -39,6 +39,26 @@ TEST(SpecialPoints, AreWhereTheBoundaryTurnsByMoreThanThirtyDegrees) {
   EXPECT_EQ(special_points(polygon(64)), (Nodes{0, 16, 32, 48}));
 }
 
+TEST(OutlineSpecialPoints, AreSharpCornersAndWhatIsFarFromTheLinesBetween) {
+  const auto outline = [](const TriangleMesh& mesh) {
+    return outline_special_points(mesh, skeleton_of(mesh));
+  };
+  EXPECT_EQ(outline(polygon(5)).size(), 5u);            // 72 degrees each
+  EXPECT_EQ(outline(polygon(8)), (Nodes{0, 2, 4, 6}));  // 45 degrees: no corners, but a diamond
+  EXPECT_EQ(outline(polygon(64)), (Nodes{0, 16, 32, 48}));
+}
+
+TEST(CompletedSpecialPoints, AreThoseGivenAndAtLeastThreeOnALoop) {
+  const TriangleMesh mesh = polygon(64);
+  const auto completed = [&](Nodes given) {
+    return completed_special_points(mesh, skeleton_of(mesh), given);
+  };
+  EXPECT_EQ(completed({5, 20, 41}), (Nodes{5, 20, 41}));
+  const Nodes from_one = completed({5, 64});
+  EXPECT_EQ(from_one.size(), 5u);
+  for (const Index v : {5, 37, 64}) EXPECT_TRUE(std::ranges::binary_search(from_one, v));
+}
+
 TEST(SpecialPoints, AreWhereMarkersChange) {
   TriangleMesh mesh = polygon(64);
   for (Index i = 0; i < 64; ++i)
