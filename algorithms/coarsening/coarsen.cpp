@@ -9,6 +9,7 @@
 
 #include "wellspaced/algorithms/coarsening/boundary_description.hpp"
 #include "wellspaced/algorithms/coarsening/quadtree_sequence.hpp"
+#include "wellspaced/algorithms/coarsening/quality/refinement_sequence.hpp"
 #include "wellspaced/algorithms/coarsening/schemes.hpp"
 #include "wellspaced/algorithms/coarsening/skeleton.hpp"
 #include "wellspaced/algorithms/coarsening/source_mesh.hpp"
@@ -64,6 +65,28 @@ Status check_values(const std::string& name, const std::optional<std::vector<dou
   return Ok{};
 }
 
+Status check_refinement(const CoarseningOptions& options, std::size_t nodes) {
+  if (options.method != CoarseningMethod::kRefinement) {
+    if (options.targets.empty()) return Ok{};
+    return usage("the sizes of levels can be given to refinement alone (--profile quality)");
+  }
+  if (options.scheme != CoarseningScheme::kCoarseToFine ||
+      options.metric != SpacingMetric::kGraph || options.limit_by_boundary ||
+      options.keep_boundary || options.priority)
+    return usage(
+        "levels by refinement are made coarse to fine, in the graph metric, in an order of their "
+        "own, without regard to the boundary's feature size or the area");
+  if (!(options.ratio > 1) || !std::isfinite(options.ratio))
+    return usage("the ratio of the levels' nodes must be a finite number greater than 1");
+  if (!(options.angle_deg > 0) || !(options.angle_deg <= 30))
+    return usage("the angle must be more than 0 and at most 30 degrees");
+  for (const std::size_t target : options.targets)
+    if (target == 0 || target >= nodes)
+      return usage("a level must have at least 1 node and less than the input's " +
+                   std::to_string(nodes) + ", not " + std::to_string(target));
+  return Ok{};
+}
+
 Status check_options(const CoarseningOptions& options, std::size_t nodes) {
   if (!(options.beta > 1) || !std::isfinite(options.beta))
     return usage("beta must be a finite number greater than 1");
@@ -84,6 +107,7 @@ Status check_options(const CoarseningOptions& options, std::size_t nodes) {
     return usage(
         "levels by quadtree are selected coarse to fine, in the Euclidean metric and the tree's "
         "order, without regard to the boundary's local feature size");
+  if (Status status = check_refinement(options, nodes); !status) return status;
   if (Status status = check_values("spacing", options.spacing, nodes); !status) return status;
   if (Status status = check_values("priority", options.priority, nodes); !status) return status;
   if (options.spacing)
@@ -114,10 +138,17 @@ void complete_segments(TriangleMesh& mesh, const Boundary& boundary) {
     if (!std::binary_search(known.begin(), known.end(), s, less)) mesh.segments.push_back(s);
 }
 
+std::vector<Index> chosen_special_points(const TriangleMesh& mesh, const Skeleton& skeleton,
+                                         const CoarseningOptions& options) {
+  if (options.method != CoarseningMethod::kRefinement)
+    return options.fixed ? *options.fixed : automatic_special_points(mesh, skeleton);
+  return options.fixed ? completed_special_points(mesh, skeleton, *options.fixed)
+                       : outline_special_points(mesh, skeleton);
+}
+
 std::vector<Index> special_points(const TriangleMesh& mesh, const Skeleton& skeleton,
                                   const CoarseningOptions& options) {
-  std::vector<Index> special =
-      options.fixed ? *options.fixed : automatic_special_points(mesh, skeleton);
+  std::vector<Index> special = chosen_special_points(mesh, skeleton, options);
   const std::vector<Index>& anchors = skeleton.boundary.anchors;
   special.insert(special.end(), anchors.begin(), anchors.end());
   for (Index v = 0; v < skeleton.corners.nodes(); ++v)
@@ -179,6 +210,8 @@ CoarseningOptions multigrid_profile() {
   return options;
 }
 
+CoarseningOptions quality_profile() { return theorem_options(CoarseningMethod::kRefinement); }
+
 double protection_ratio(const CoarseningOptions& options) {
   return options.protect.value_or(options.method == CoarseningMethod::kMis ? 0.15 : 0.2);
 }
@@ -187,6 +220,11 @@ CoarseningOptions theorem_options(CoarseningMethod method) {
   CoarseningOptions options;
   options.method = method;
   if (method == CoarseningMethod::kFunction || method == CoarseningMethod::kMis) return options;
+  if (method == CoarseningMethod::kRefinement) {
+    options.beta = 3.5;
+    options.scheme = CoarseningScheme::kCoarseToFine;
+    return options;
+  }
   options.metric = SpacingMetric::kEuclidean;
   options.beta = method == CoarseningMethod::kThreshold ? 16 : 2;
   options.factor = method == CoarseningMethod::kThreshold      ? 24
@@ -213,6 +251,8 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   const auto limit = spacing_limit(mesh, options);
   if (!limit) return limit.error();
   Level finest = finest_level(std::move(mesh), skeleton.graph, options);
+  if (options.method == CoarseningMethod::kRefinement)
+    return coarsen_by_refinement(std::move(finest), skeleton, options);
   return build_levels(std::move(finest), std::move(skeleton), *limit, options);
 }
 

@@ -20,6 +20,8 @@ enum class CoarseningMethod {
   kMis,           ///< section 5.2.1; fine to coarse alone
   kThreshold,     ///< by the threshold function t_{g,C,P} (section 6.3)
   kQuasiUniform,  ///< by one spacing for all nodes, C times the least of g (section 6.2)
+  kRefinement,    ///< by Delaunay refinement towards given sizes and a least angle; coarse to fine
+                  ///< in the graph metric alone. See coarsen_by_refinement.
   kQuadtree       ///< by the function of a quadtree, in linear time (section 5.8); coarse to fine
                   ///< and Euclidean alone, in the tree's order. See coarsen_by_quadtree.
 };
@@ -70,7 +72,8 @@ struct CoarseningOptions {
   /// For kPriority: one value a node of the input, no NaN; default: the level's spacing, so that
   /// nodes with large balls come first; for kMis none, so that nodes come by number.
   std::optional<std::vector<double>> priority = std::nullopt;
-  /// The special points F; default: automatic_special_points. Ends of inner curves, tips of slits
+  /// The special points F; default: automatic_special_points, for kRefinement
+  /// outline_special_points. Ends of inner curves, tips of slits
   /// and nodes in no edge are added, for the boundary hangs on them.
   std::optional<std::vector<Index>> fixed = std::nullopt;
   std::size_t max_levels = SIZE_MAX;  ///< levels after the input
@@ -78,7 +81,15 @@ struct CoarseningOptions {
   /// Boundary nodes are taken back until it does. Default: no limit.
   std::optional<double> keep_boundary = std::nullopt;
   std::size_t until_nodes = 0;  ///< no further level once one has at most so many nodes
-  bool count_work = false;      ///< fill Level::work
+  /// For kRefinement alone: the nodes of the levels after the input, each less than the input's and
+  /// more than 0. If there are none, each level has the nodes of the finer one by `ratio`, > 1,
+  /// down to 1.5 times what the angles alone ask for around the special points.
+  std::vector<std::size_t> targets = {};
+  double ratio = 3;
+  /// For kRefinement: the angle that triangles should have at least, > 0 and <= 30. Beyond 25
+  /// levels fall short of it, with a few more nodes.
+  double angle_deg = 22;
+  bool count_work = false;  ///< fill Level::work
   /// Phases "spacing", "boundary", "select", "triangulate" of each level, in order, each at its
   /// start and some more often; done: nodes of the input that are coarsened away, total: all.
   Progress progress = {};
@@ -89,6 +100,12 @@ struct CoarseningOptions {
 /// follows C; the angles matter little. Nodes are taken by priority, not at random: then that
 /// number is smaller, at a few more nodes.
 CoarseningOptions multigrid_profile();
+
+/// Levels of given sizes whose triangles keep their angles to the end: kRefinement, with beta 3.5.
+/// Spacing grows by up to 2 / beta a unit of length: with more than 4 levels of graded meshes are
+/// coarsened less evenly, so that some triangles meet far more of the finer level than others.
+/// Special points: outline_special_points.
+CoarseningOptions quality_profile();
 
 /// R: the one that options give, or else the method's default.
 double protection_ratio(const CoarseningOptions& options);

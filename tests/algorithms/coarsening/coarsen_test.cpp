@@ -201,8 +201,12 @@ RandomCase random_case(std::uint64_t seed) {
     for (const auto& t : c.mesh.triangles)
       if (random.below(6) == 0) c.mesh.segments.push_back({t[0], t[1], 2});
   constexpr CoarseningMethod kMethods[] = {CoarseningMethod::kFunction, CoarseningMethod::kMis,
-                                           CoarseningMethod::kQuadtree};
-  c.options = theorem_options(kMethods[random.below(3)]);
+                                           CoarseningMethod::kQuadtree,
+                                           CoarseningMethod::kRefinement};
+  c.options = theorem_options(kMethods[random.below(4)]);
+  c.options.ratio = random.uniform(1.3, 6);
+  if (random.below(2) == 0 && c.options.method == CoarseningMethod::kRefinement)
+    c.options.targets = {c.mesh.points.size() / 2, c.mesh.points.size() / 7 + 1, 5, 1};
   c.options.beta = random.uniform(1.1, 26);
   c.options.factor = random.uniform(1.5, 11);
   c.options.seed = seed;
@@ -280,7 +284,9 @@ TEST(Coarsen, NeverHangsOrCrashesOnTrianglesThatAreNoMesh) {
       mesh.triangles.push_back({pick(), pick(), pick()});
       if (t % 3 == 0) mesh.segments.push_back({pick(), pick(), 1});
     }
-    const auto hierarchy = coarsen(mesh, random_case(seed).options);
+    CoarseningOptions options = random_case(seed).options;
+    options.targets.clear();
+    const auto hierarchy = coarsen(mesh, options);
     if (!hierarchy.ok()) {
       EXPECT_EQ(hierarchy.error().code, ErrorCode::kInvalidGeometry);
     } else {
