@@ -72,7 +72,7 @@ Status check_refinement(const CoarseningOptions& options, std::size_t nodes) {
   }
   if (options.scheme != CoarseningScheme::kCoarseToFine ||
       options.metric != SpacingMetric::kGraph || options.limit_by_boundary ||
-      options.keep_boundary || options.priority)
+      options.limit_by_special_points || options.keep_boundary || options.priority)
     return usage(
         "levels by refinement are made coarse to fine, in the graph metric, in an order of their "
         "own, without regard to the boundary's feature size or the area");

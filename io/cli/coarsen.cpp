@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "wellspaced/algorithms/coarsening/quality/selection_check.hpp"
 #include "wellspaced/algorithms/coarsening/statistics.hpp"
 #include "wellspaced/algorithms/transfer/solver_levels.hpp"
 #include "wellspaced/io/cli/command.hpp"
@@ -19,13 +21,16 @@
 #include "wellspaced/io/formats/hierarchy_files.hpp"
 #include "wellspaced/io/report/level_table.hpp"
 #include "wellspaced/io/report/report.hpp"
+#include "wellspaced/io/report/selection_table.hpp"
 #include "wellspaced/io/report/solver_table.hpp"
 #include "wellspaced/io/report/table_text.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/graph.hpp"
 
 namespace wellspaced::cli {
 namespace {
 
+enum class Profile { kThesis, kMultigrid, kQuality };
 enum class Statistics { kNone, kBasic, kFull };
 
 struct Request {
@@ -73,6 +78,7 @@ struct Run {
   CoarseningOptions options;
   Hierarchy hierarchy;
   std::vector<LevelStatistics> statistics;
+  std::vector<SelectionCheck> selection;  // of levels 1 and up, by refinement
   std::optional<SolverHierarchy> solver;
   PhaseClock clock;
   std::uint64_t peak_bytes = 0;
@@ -80,13 +86,13 @@ struct Run {
 
 // ---- The request
 
-constexpr std::array kMethods = {CoarseningMethod::kFunction, CoarseningMethod::kMis,
+constexpr std::array kMethods = {CoarseningMethod::kFunction,  CoarseningMethod::kMis,
                                  CoarseningMethod::kThreshold, CoarseningMethod::kQuasiUniform,
-                                 CoarseningMethod::kQuadtree};
+                                 CoarseningMethod::kQuadtree,  CoarseningMethod::kRefinement};
 
 // One method, or several separated by commas.
-std::vector<CoarseningMethod> read_methods(Arguments& arguments) {
-  const std::string text = arguments.text("--method", "function");
+std::vector<CoarseningMethod> read_methods(Arguments& arguments, const std::string& otherwise) {
+  const std::string text = arguments.text("--method", otherwise);
   std::vector<CoarseningMethod> methods;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -99,19 +105,44 @@ std::vector<CoarseningMethod> read_methods(Arguments& arguments) {
     }
     arguments.refuse("--method",
                      in_quotes(text) +
-                         " should be function, mis, threshold, quasi-uniform or quadtree, or " +
-                         "several of them, each once, separated by commas");
+                         " should be function, mis, threshold, quasi-uniform, quadtree or " +
+                         "refinement, or several of them, each once, separated by commas");
     break;
   }
   return methods;
 }
 
 // The profile where none is named: that of solvers, unless a choice of the thesis' is made.
-bool takes_multigrid_profile(Arguments& arguments) {
+Profile read_profile(Arguments& arguments) {
   const bool chooses = std::ranges::any_of(
       std::array{"--method", "--scheme", "--metric", "--beta", "--factor", "--protect"},
       [&](const char* name) { return arguments.has(name); });
-  return arguments.choice("--profile", chooses ? 0 : 1, {"thesis", "multigrid"}) == 1;
+  const bool sizes =
+      arguments.has("--targets") || arguments.has("--ratio") || arguments.has("--angle");
+  const Profile otherwise = chooses ? Profile::kThesis
+                            : sizes ? Profile::kQuality
+                                    : Profile::kMultigrid;
+  return static_cast<Profile>(arguments.choice("--profile", static_cast<int>(otherwise),
+                                               {"thesis", "multigrid", "quality"}));
+}
+
+// Numbers of nodes separated by commas; none where none are given.
+std::vector<std::size_t> read_targets(Arguments& arguments) {
+  std::vector<std::size_t> targets;
+  if (!arguments.has("--targets")) return targets;
+  const std::string list = arguments.text("--targets", "");
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    std::uint64_t nodes = 0;
+    const auto [stop, error] = std::from_chars(list.data() + begin, list.data() + end, nodes);
+    if (error != std::errc() || stop != list.data() + end) {
+      arguments.refuse("--targets", in_quotes(list) + " should be numbers separated by commas");
+      return {};
+    }
+    targets.push_back(nodes);
+    begin = end + 1;
+  }
+  return targets;
 }
 
 std::vector<const MatrixFormat*> read_matrix_formats(Arguments& arguments,
@@ -135,7 +166,8 @@ std::vector<const MatrixFormat*> read_matrix_formats(Arguments& arguments,
 
 Request read_request(Arguments& arguments, std::uint64_t seed) {
   Request request;
-  request.multigrid = takes_multigrid_profile(arguments);
+  const Profile profile = read_profile(arguments);
+  request.multigrid = profile == Profile::kMultigrid;
   if (request.multigrid) request.options = multigrid_profile();
   request.matrices = read_matrix_formats(arguments, request.multigrid ? "npz" : "none");
   request.for_solver = request.multigrid || !request.matrices.empty();
@@ -150,7 +182,11 @@ Request read_request(Arguments& arguments, std::uint64_t seed) {
       arguments.choice("--order", request.multigrid ? 1 : 0, {"random", "priority"}));
   options.limit_by_boundary = arguments.has("--boundary-lfs");
   options.limit_by_special_points = arguments.has("--special-lfs");
-  request.methods = read_methods(arguments);
+  request.methods =
+      read_methods(arguments, profile == Profile::kQuality ? "refinement" : "function");
+  options.targets = read_targets(arguments);
+  options.ratio = arguments.number("--ratio", options.ratio, more_than(1));
+  options.angle_deg = arguments.number("--angle", options.angle_deg, between(0, 30));
   request.statistics =
       static_cast<Statistics>(arguments.choice("--stats", 1, {"none", "basic", "full"}));
   options.count_work = request.statistics == Statistics::kFull;
@@ -225,7 +261,16 @@ CoarseningOptions options_of(const Request& request, CoarseningMethod method) {
   options.factor = request.factor.value_or(usual.factor);
   options.scheme = request.scheme.value_or(usual.scheme);
   options.metric = request.metric.value_or(usual.metric);
+  if (method != CoarseningMethod::kRefinement) options.targets.clear();
   return options;
+}
+
+std::vector<SelectionCheck> check_selections(const Hierarchy& hierarchy, double beta) {
+  const Graph graph = mesh_graph(hierarchy.levels[0].mesh);
+  std::vector<SelectionCheck> checks;
+  for (std::size_t k = 1; k < hierarchy.levels.size(); ++k)
+    checks.push_back(check_selection(graph, hierarchy.levels[k], beta));
+  return checks;
 }
 
 // Of the level that has drifted most, if one has by more than 2% of its area.
@@ -264,6 +309,8 @@ Result<Run> run_method(const TriangleMesh& mesh, const Request& request, Coarsen
   if (!hierarchy) return hierarchy.error();
   run.hierarchy = std::move(*hierarchy);
   run.statistics = measure(run.hierarchy, request.statistics);
+  if (method == CoarseningMethod::kRefinement && request.statistics != Statistics::kNone)
+    run.selection = check_selections(run.hierarchy, run.options.beta);
   if (request.for_solver) {
     auto solver = prepare_for_solver(run.hierarchy);
     if (!solver) return solver.error();
@@ -277,6 +324,9 @@ Result<Run> run_method(const TriangleMesh& mesh, const Request& request, Coarsen
 
 std::string title(const Run& run) {
   const CoarseningOptions& options = run.options;
+  if (options.method == CoarseningMethod::kRefinement)
+    return "refinement: angle " + shortest(options.angle_deg) + ", beta " + shortest(options.beta) +
+           ", seed " + std::to_string(options.seed);
   const bool mis = options.method == CoarseningMethod::kMis;
   std::string text = mis ? "MIS" : std::string(name_of(options.method));
   if (mis || options.method == CoarseningMethod::kFunction) text += "-based";
@@ -343,6 +393,13 @@ bool is_node_nested(const Hierarchy& hierarchy, std::size_t k) {
   return level.parent.size() == level.mesh.points.size();
 }
 
+void write_selection(JsonWriter& json, const SelectionCheck& check) {
+  json.key("selection").begin_object();
+  json.field("conflicts", check.conflicts).field("conflict_max", check.conflict_max);
+  json.field("uncovered", check.uncovered).field("uncovered_max", check.uncovered_max);
+  json.end_object();
+}
+
 void write_level(JsonWriter& json, const Run& run, std::size_t k) {
   const LevelStatistics& statistics = run.statistics[k];
   const Level& level = run.hierarchy.levels[k];
@@ -361,6 +418,7 @@ void write_level(JsonWriter& json, const Run& run, std::size_t k) {
     describe_solver_level(json, run.solver->levels[k]);
     json.end_object();
   }
+  if (k > 0 && k <= run.selection.size()) write_selection(json, run.selection[k - 1]);
   write_seconds(json, run.clock.level(level.step));
   json.end_object();
 }
@@ -413,8 +471,10 @@ void print_tables(std::span<const Run> runs, Session& session) {
   std::vector<LevelTable> tables;
   for (const Run& run : runs) tables.push_back({title(run), run.statistics});
   session.print(level_tables(tables));
-  for (const Run& run : runs)
+  for (const Run& run : runs) {
     if (run.solver) session.print(solver_table(*run.solver));
+    if (!run.selection.empty()) session.print(selection_table(run.selection));
+  }
 }
 
 ReportMethod report_method(const Run& run) {
@@ -486,11 +546,17 @@ Result<int> run(Arguments& arguments, Session& session) {
 }
 
 constexpr std::array kOptions = {
-    Option{"--profile", "multigrid|thesis",
-           "where what is not given comes from: beta 4, C 2, down to 600 nodes (default), "
-           "or beta 25, C 8 (if a method, scheme, metric, beta, factor or R is given)"},
+    Option{
+        "--profile", "NAME",
+        "where what is not given comes from: multigrid: beta 4, C 2, down to 600 nodes "
+        "(default); thesis: beta 25, C 8 (default if a method, scheme, metric, beta, factor or R "
+        "is given); quality: levels of given sizes that keep their angles"},
+    Option{"--targets", "N1,N2,...", "profile quality: the nodes of the levels after the input"},
+    Option{"--ratio", "X", "profile quality: nodes from level to level (3), if no --targets"},
+    Option{"--angle", "DEG", "profile quality: the smallest angle sought, up to 30 (22)"},
     Option{"--method", "NAME,...",
-           "function (default), mis, threshold, quasi-uniform, quadtree; several: side by side"},
+           "function (default), mis, threshold, quasi-uniform, quadtree, refinement (that of the "
+           "profile quality); several: side by side"},
     Option{"--scheme", "NAME",
            "fine-to-coarse: each level out of the one before (default); from-finest: out of the "
            "input; coarse-to-fine: out of the input, nested"},

@@ -89,6 +89,8 @@ std::string_view name_of(CoarseningMethod method) {
       return "quasi-uniform";
     case CoarseningMethod::kQuadtree:
       return "quadtree";
+    case CoarseningMethod::kRefinement:
+      return "refinement";
   }
   return "";
 }
@@ -120,8 +122,13 @@ std::string_view name_of(SpacingMetric metric) {
 void describe_coarsening(JsonWriter& json, const CoarseningOptions& options) {
   json.field("method", name_of(options.method)).field("scheme", name_of(options.scheme));
   json.field("metric", name_of(options.metric));
-  json.field("beta", options.beta).field("factor", options.factor);
-  json.field("protect", protection_ratio(options)).field("seed", options.seed);
+  json.field("beta", options.beta);
+  if (options.method == CoarseningMethod::kRefinement) {
+    json.key("factor").null().key("protect").null().field("angle", options.angle_deg);
+  } else {
+    json.field("factor", options.factor).field("protect", protection_ratio(options));
+  }
+  json.field("seed", options.seed);
 }
 
 void describe_solver_level(JsonWriter& json, const SolverLevel& level) {

@@ -268,6 +268,28 @@ TEST(CoarsenCommand, SelectsByQuadtreeWhatTheAuditPasses) {
             2);
 }
 
+TEST(CoarsenCommand, KeepsAnglesAtSizesOfChoiceAndTheAuditPasses) {
+  const TemporaryDirectory directory;
+  write_square(directory, 30);
+  const ProgramRun run =
+      run_program({"coarsen", directory / "square", "--profile", "quality", "--targets", "60,300",
+                   "--angle", "24", "-o", directory / "out", "--json", directory / "out.json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "refinement: angle 24, beta 3.5, seed 1")) << run.out;
+  EXPECT_TRUE(contains(run.out, "level  conflicts  largest  uncovered  largest")) << run.out;
+  const std::string json = test::read_bytes(directory / "out.json");
+  for (const char* part : {"\"method\":\"refinement\"", "\"factor\":null", "\"angle\":24",
+                           "\"selection\":{\"conflicts\":0,"})
+    EXPECT_TRUE(contains(json, part)) << part << json;
+  EXPECT_EQ(run_program({"audit", directory / "out"}).exit_code, 0);
+
+  const ProgramRun implied = run_program({"coarsen", directory / "square", "--ratio", "4"});
+  EXPECT_TRUE(contains(implied.out, "refinement: angle 22")) << implied.out;
+  for (const char* targets : {"60,", "a", "60,,70", "99999", "0"})
+    EXPECT_EQ(run_program({"coarsen", directory / "square", "--targets", targets}).exit_code, 2)
+        << targets;
+}
+
 TEST(CoarsenCommand, ReadsASpacing) {
   const TemporaryDirectory directory;
   write_square(directory, 4);
