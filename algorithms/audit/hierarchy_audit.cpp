@@ -294,9 +294,10 @@ void measure_coarsening(Judged& coarse, const Judged& finer, double factor) {
 // Whether the syntax was right, so that all else was judged.
 bool is_readable(const Report& report) { return report.check("no_overlap") != nullptr; }
 
-Judged judge_alone(const HierarchyLevel& level, const Pslg* domain) {
+Judged judge_alone(const HierarchyLevel& level, const Pslg* domain, const Progress& progress) {
   MeshAuditOptions options;
   options.domain = domain;
+  options.progress = progress;
   return {level, audit_mesh(level.mesh, options), {}, {}, {}};
 }
 
@@ -371,13 +372,19 @@ void append_level(Report& report, Report&& level, Index number) {
 
 Report audit_hierarchy(std::span<const HierarchyLevel> levels,
                        const HierarchyAuditOptions& options) {
-  std::vector<Judged> judged;
-  for (const HierarchyLevel& level : levels)
-    judged.push_back(judge_alone(level, judged.empty() ? options.domain : nullptr));
-  for (Judged& level : judged) find_origins(level, judged[0]);
-  for (std::size_t k = 1; k < judged.size(); ++k)
-    judge_against(judged[k], judged[k - 1], judged[0], options);
   Report report;
+  std::vector<Judged> judged;
+  for (const HierarchyLevel& level : levels) {
+    judged.push_back(
+        judge_alone(level, judged.empty() ? options.domain : nullptr, options.progress));
+    report.complete = judged.back().report.complete;
+    if (!report.complete) return report;
+  }
+  for (Judged& level : judged) find_origins(level, judged[0]);
+  for (std::size_t k = 1; k < judged.size(); ++k) {
+    if (!report.go_on(options.progress, k, judged.size())) return report;
+    judge_against(judged[k], judged[k - 1], judged[0], options);
+  }
   sum_up(report, "levels_valid", judged, "");
   sum_up(report, "levels_constrained_delaunay", judged, "constrained_delaunay");
   sum_up(report, "node_nested", judged, "node_nested");

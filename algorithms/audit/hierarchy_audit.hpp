@@ -43,6 +43,7 @@ struct HierarchyAuditOptions {
   std::span<const Index> fixed = {};
   const Pslg* domain = nullptr;
   WellSpacing well_spacing = WellSpacing::kLeftOut;
+  Progress progress = {};
 };
 
 /// Judges a hierarchy, finest level first. Its checks without a level sum up those of the levels:

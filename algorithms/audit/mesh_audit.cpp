@@ -24,16 +24,26 @@ void require_boundary_segments(const TriangleMesh& mesh, const HalfEdges& half_e
 void audit_in_local_order(const TriangleMesh& mesh, const MeshAuditOptions& options,
                           Report& report) {
   const auto nodes = static_cast<Index>(mesh.points.size());
+  constexpr std::uint64_t kParts = 7;
+  const auto go_on = [&](std::uint64_t done) {
+    return report.go_on(options.progress, done, kParts);
+  };
+  if (!go_on(1)) return;
   const HalfEdges half_edges = pair_half_edges(mesh.triangles, mesh.segments, nodes);
+  if (!go_on(2)) return;
   audit_topology(mesh, half_edges, report);
   if (options.segments == SegmentMeaning::kWholeBoundary)
     require_boundary_segments(mesh, half_edges, report);
+  if (!go_on(3)) return;
   const std::vector<std::int8_t> orientation = orientations(mesh);
   audit_embedding(mesh, half_edges, orientation, report);
+  if (!go_on(4)) return;
   if (options.domain != nullptr)
     audit_domain(mesh, half_edges, {*options.domain, options.allowance}, report);
   if (!options.holes.empty()) audit_holes(mesh, options.holes, report);
+  if (!go_on(5)) return;
   audit_delaunay(mesh, half_edges, orientation, report);
+  if (!go_on(6)) return;
   audit_shape(mesh, half_edges, report);
 }
 
@@ -58,7 +68,7 @@ void restore_numbers(Report& report, std::size_t first_check, const LocalOrder& 
 
 Report audit_mesh(const TriangleMesh& mesh, const MeshAuditOptions& options) {
   Report report;
-  if (!audit_syntax(mesh, report)) return report;
+  if (!report.go_on(options.progress, 0, 1) || !audit_syntax(mesh, report)) return report;
   const std::size_t syntax = report.checks.size();
   const LocalOrder order = local_order(mesh);
   audit_in_local_order(order.mesh, options, report);

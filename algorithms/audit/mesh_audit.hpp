@@ -19,6 +19,7 @@ struct MeshAuditOptions {
   double allowance = 2;                ///< how far nodes may be off it (DomainToMeet)
   std::span<const Point2> holes = {};  ///< points that must be in no triangle
   SegmentMeaning segments = SegmentMeaning::kSomeEdges;
+  Progress progress = {};
 };
 
 /// Judges a triangle mesh, whoever made it: syntax and topology (topology.hpp), embedding
@@ -26,7 +27,7 @@ struct MeshAuditOptions {
 /// exact; no code is shared with what makes meshes, predicates and exact arithmetic aside.
 /// Conformity to a domain is judged where one is given (domain.hpp).
 /// Returns: the checks, in the order of the layers, and the measures. If the syntax is wrong,
-///   nothing else can be judged, and the report ends there.
+///   nothing else can be judged, and the report ends there. It is not complete if cancelled.
 /// Requires: 3 * triangles + segments < 2^32; segment ends of the domain in range.
 /// Cost: O(n + b log b) for n triangles and b boundary edges, 100 bytes a triangle.
 Report audit_mesh(const TriangleMesh& mesh, const MeshAuditOptions& options = {});

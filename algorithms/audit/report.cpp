@@ -70,8 +70,14 @@ void sort_pairs(std::vector<Index>& ids) {
 }
 
 bool Report::pass() const {
-  return std::all_of(checks.begin(), checks.end(),
-                     [](const Check& check) { return check.pass() || !check.required; });
+  return complete && std::all_of(checks.begin(), checks.end(), [](const Check& check) {
+           return check.pass() || !check.required;
+         });
+}
+
+bool Report::go_on(const Progress& progress, std::uint64_t done, std::uint64_t total) {
+  complete = complete && report(progress, "audit", done, total);
+  return complete;
 }
 
 const Check* Report::check(std::string_view name) const { return find(checks, name); }

@@ -14,14 +14,24 @@ namespace wellspaced::audit {
 namespace {
 
 void audit_in_local_order(const TetMesh& mesh, const TetAuditOptions& options, Report& report) {
+  constexpr std::uint64_t kParts = 7;
+  const auto go_on = [&](std::uint64_t done) {
+    return report.go_on(options.progress, done, kParts);
+  };
+  if (!go_on(1)) return;
   const TetFaces faces =
       pair_tet_faces(mesh.tets, mesh.facets, static_cast<Index>(mesh.points.size()));
+  if (!go_on(2)) return;
   audit_tet_topology(mesh, faces, report);
+  if (!go_on(3)) return;
   const std::vector<std::int8_t> orientation = tet_orientations(mesh);
   audit_tet_embedding(mesh, faces, orientation, report);
+  if (!go_on(4)) return;
   if (options.domain != nullptr)
     audit_tet_domain(mesh, faces, {*options.domain, options.allowance}, report);
+  if (!go_on(5)) return;
   audit_tet_delaunay(mesh, faces, orientation, report);
+  if (!go_on(6)) return;
   audit_tet_shape(mesh, report);
 }
 
@@ -41,7 +51,7 @@ void restore_numbers(Check& check, const TetLocalOrder& order) {
 
 Report audit_tet_mesh(const TetMesh& mesh, const TetAuditOptions& options) {
   Report report;
-  if (!audit_tet_syntax(mesh, report)) return report;
+  if (!report.go_on(options.progress, 0, 1) || !audit_tet_syntax(mesh, report)) return report;
   const std::size_t syntax = report.checks.size();
   const TetLocalOrder order = local_order(mesh);
   audit_in_local_order(order.mesh, options, report);

@@ -80,8 +80,8 @@ Status read_requirements(const std::string& path, Demands& demands) {
   return Ok{};
 }
 
-Status read_domain(const std::string& path, double flatness, Demands& demands) {
-  auto geometry = read_geometry(path);
+Status read_domain(const std::string& path, double flatness, Session& session, Demands& demands) {
+  auto geometry = read_geometry(path, session.reading());
   if (!geometry) return geometry.error();
   if (geometry->dimension == 2) {
     demands.domain = to_pslg(std::move(*geometry));
@@ -101,7 +101,7 @@ Status check_dimension(const Demands& demands, int dimension) {
                {}};
 }
 
-Result<Demands> read_demands(Arguments& arguments) {
+Result<Demands> read_demands(Arguments& arguments, Session& session) {
   Demands demands;
   demands.strict = arguments.has("--strict");
   demands.vtu = arguments.text("--vtu", "");
@@ -117,7 +117,8 @@ Result<Demands> read_demands(Arguments& arguments) {
     if (!status) return status.error();
   }
   if (const auto path = arguments.value("--domain"))
-    if (Status status = read_domain(*path, flatness, demands); !status) return status.error();
+    if (Status status = read_domain(*path, flatness, session, demands); !status)
+      return status.error();
   return demands;
 }
 
@@ -164,8 +165,9 @@ audit::Report report_on(const Error& invalid_input, Session& session) {
 }
 
 audit::Report audit_triangles(const std::string& path, const Geometry& geometry,
-                              const Demands& demands) {
+                              const Demands& demands, Session& session) {
   audit::MeshAuditOptions options;
+  options.progress = session.progress();
   options.allowance = demands.allowance;
   if (demands.domain) options.domain = &*demands.domain;
   if (!demands.domain) options.holes = geometry.holes;
@@ -173,8 +175,9 @@ audit::Report audit_triangles(const std::string& path, const Geometry& geometry,
   return audit::audit_mesh(geometry.mesh, options);
 }
 
-audit::Report audit_tets(const TetMesh& mesh, const Demands& demands) {
+audit::Report audit_tets(const TetMesh& mesh, const Demands& demands, Session& session) {
   audit::TetAuditOptions options;
+  options.progress = session.progress();
   if (demands.solid_domain) options.domain = &*demands.solid_domain;
   options.allowance = demands.allowance;
   return audit::audit_tet_mesh(mesh, options);
@@ -204,6 +207,7 @@ Status add_spacing(const Demands& demands, const Mesh& mesh, audit::Report& repo
 template <class Mesh>
 Result<audit::Report> finish(audit::Report report, const Mesh& mesh, const Demands& demands,
                              Session& session) {
+  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled", {}};
   if (Status status = add_spacing(demands, mesh, report); !status) return status.error();
   if (Status status = apply(demands, report, mesh); !status) return status.error();
   if (Status status = write_picture(demands, mesh, report, session); !status) return status.error();
@@ -241,7 +245,7 @@ Demands with_spacing_beside(const std::string& path, Demands demands) {
 
 Result<audit::Report> audit_file(const std::string& path, const Demands& given, Session& session) {
   const Demands demands = with_spacing_beside(path, given);
-  auto geometry = read_geometry(path);
+  auto geometry = read_geometry(path, session.reading());
   if (!geometry && geometry.error().code == ErrorCode::kInvalidGeometry)
     return report_on(geometry.error(), session);
   if (!geometry) return geometry.error();
@@ -251,8 +255,9 @@ Result<audit::Report> audit_file(const std::string& path, const Demands& given, 
   if (Status status = check_dimension(demands, geometry->dimension); !status) return status.error();
   turn_if_needed(*geometry, display_name(path), session);
   if (geometry->dimension == 2)
-    return finish(audit_triangles(path, *geometry, demands), geometry->mesh, demands, session);
-  return finish(audit_tets(geometry->solid, demands), geometry->solid, demands, session);
+    return finish(audit_triangles(path, *geometry, demands, session), geometry->mesh, demands,
+                  session);
+  return finish(audit_tets(geometry->solid, demands, session), geometry->solid, demands, session);
 }
 
 bool is_directory(const std::string& path) {
@@ -278,12 +283,15 @@ Result<audit::Report> audit_directory(const std::string& path, const Demands& de
                                       Session& session) {
   if (!demands.vtu.empty())
     return Error{ErrorCode::kUsage, "audit: --vtu takes a mesh; name a level of the hierarchy", {}};
-  const auto input = read_hierarchy(path);
+  const auto input = read_hierarchy(path, session.progress());
   if (!input && input.error().code == ErrorCode::kInvalidGeometry)
     return report_on(input.error(), session);
   if (!input) return input.error();
   for (const std::string& note : input->notes) session.note(note);
-  audit::Report report = audit::audit_hierarchy(input->levels, options_for(*input, demands));
+  audit::HierarchyAuditOptions options = options_for(*input, demands);
+  options.progress = session.progress();
+  audit::Report report = audit::audit_hierarchy(input->levels, options);
+  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled", {}};
   if (Status status = apply(demands, report); !status) return status.error();
   return report;
 }
@@ -321,7 +329,7 @@ Status publish(const std::string& tables, Session& session) {
 }
 
 Result<int> run(Arguments& arguments, Session& session) {
-  const auto demands = read_demands(arguments);
+  const auto demands = read_demands(arguments, session);
   if (!demands) return demands.error();
   const std::vector<std::string>& paths = arguments.operands();
   if (paths.size() > 1 && !demands->vtu.empty())

@@ -511,7 +511,7 @@ Result<int> run(Arguments& arguments, Session& session) {
     return Error{ErrorCode::kUsage, "coarsen: " + status.error().message, {}};
   if (session.options().output == "-")
     return Error{ErrorCode::kUsage, "coarsen: -o names a directory, not the standard output", {}};
-  const auto geometry = read_mesh(arguments.operands()[0]);
+  const auto geometry = read_mesh(arguments.operands()[0], session.reading());
   if (!geometry) return geometry.error();
   for (const std::string& note : geometry->notes) session.note(note);
   if (const auto path = arguments.value("--fixed")) {

@@ -26,7 +26,7 @@ Result<int> run(Arguments& arguments, Session& session) {
   const auto target = find_target(arguments, session);
   if (!target) return target.error();
   const std::string& source = arguments.operands()[0];
-  auto geometry = read_geometry(source, {.largest = session.largest_input()});
+  auto geometry = read_geometry(source, session.reading());
   if (!geometry) return geometry.error();
   if (!geometry->mesh.triangles.empty())
     if (Status status = prepare_geometry(*geometry, display_name(source)); !status)

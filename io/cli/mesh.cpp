@@ -89,7 +89,7 @@ Status read_size(const Arguments& arguments, Session& session, PackingOptions& o
     options.size = [size = number.value](Point2) { return size; };
     return Ok{};
   }
-  const auto background = read_geometry(*value, {.largest = session.largest_input()});
+  const auto background = read_geometry(*value, session.reading());
   if (!background) return background.error();
   const Attributes& attributes = background->point_attributes;
   if (background->dimension != 2 || attributes.columns == 0)
@@ -203,8 +203,7 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands()[0];
   MeshRun run;
   const Stopwatch reading;
-  const auto input =
-      read_geometry(path, {.siblings = Siblings::kIgnored, .largest = session.largest_input()});
+  const auto input = read_geometry(path, session.reading(Siblings::kIgnored));
   if (!input) return input.error();
   run.read = reading.elapsed();
   if (input->dimension == 3) return mesh_in_space(path, *input, run.read, arguments, session);

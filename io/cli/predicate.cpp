@@ -67,7 +67,8 @@ Result<int> run(Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands()[1];
   const auto text = read_input(path, session.largest_input());
   if (!text) return text.error();
-  Scanner scanner(*text, display_name(path));
+  const Progress progress = session.progress();
+  Scanner scanner(*text, {display_name(path), progress});
   const std::size_t skipped = arguments.has("--corpus") ? kCorpusFields : 0;
   const std::string output = session.options().output.empty() ? "-" : session.options().output;
   const Status written = session.outputs().add(output, [&](TextWriter& out) {

@@ -1,5 +1,6 @@
 #include "wellspaced/io/cli/process.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #endif
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 #define WELLSPACED_POSIX 1
 #else
@@ -24,7 +26,9 @@ volatile std::sig_atomic_t interrupt_flag = 0;
 #if WELLSPACED_POSIX
 // A read that begins after the signal would block all the same: the alarm breaks it off, if need
 // be again and again.
-extern "C" void break_off_reads(int) { alarm(1); }
+extern "C" void break_off_reads(int) {
+  if (interrupt_flag != 0) alarm(1);
+}
 extern "C" void set_interrupt_flag(int) {
   interrupt_flag = 1;
   alarm(1);
@@ -63,6 +67,18 @@ void catch_interrupts() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void break_off_reads_after(double seconds) {
+  const auto whole = static_cast<time_t>(std::min(seconds, 1e8));
+  const auto micro = static_cast<suseconds_t>(1e6 * (std::min(seconds, 1e8) - double(whole))) + 1;
+  const itimerval timer{{0, 50000}, {whole, std::min<suseconds_t>(micro, 999999)}};
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+void let_reads_block() {
+  const itimerval none{};
+  setitimer(ITIMER_REAL, &none, nullptr);
+}
+
 void limit_memory(std::uint64_t bytes) {
   const rlimit limit{static_cast<rlim_t>(bytes), static_cast<rlim_t>(bytes)};
   setrlimit(RLIMIT_DATA, &limit);
@@ -82,6 +98,8 @@ void catch_interrupts() {
   std::signal(SIGINT, set_interrupt_flag);
   std::signal(SIGTERM, set_interrupt_flag);
 }
+void break_off_reads_after(double) {}
+void let_reads_block() {}
 void limit_memory(std::uint64_t) {}
 bool standard_error_is_terminal() { return false; }
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

@@ -13,6 +13,12 @@ namespace wellspaced::cli {
 void catch_interrupts();
 bool interrupted();
 
+/// Reads that block are broken off in `seconds`, and again and again after that: they return
+/// errors.
+void break_off_reads_after(double seconds);
+/// No longer.
+void let_reads_block();
+
 /// Lets allocations fail beyond `bytes`, where the system can.
 void limit_memory(std::uint64_t bytes);
 

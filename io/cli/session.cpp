@@ -48,12 +48,20 @@ CommonOptions read_common_options(Arguments& arguments) {
   return options;
 }
 
-Session::Session(CommonOptions options) : options_(std::move(options)), start_(Clock::now()) {
+Session::Session(CommonOptions options)
+    : options_(std::move(options)),
+      outputs_([this](auto, std::uint64_t done, auto) { return keep_writing(done); }),
+      start_(Clock::now()) {
   draws_ = !options_.quiet && standard_error_is_terminal();
   if (options_.max_memory) limit_memory(*options_.max_memory);
+  if (options_.time_limit) break_off_reads_after(*options_.time_limit);
 }
 
 Session::~Session() { clear_bar(); }
+
+ReadOptions Session::reading(Siblings siblings) {
+  return {.siblings = siblings, .largest = largest_input(), .progress = progress()};
+}
 
 Progress Session::progress() {
   return [this](std::string_view phase, std::uint64_t done, std::uint64_t total) {
@@ -67,6 +75,12 @@ bool Session::keep_going(std::string_view phase, std::uint64_t done, std::uint64
   if (stopped_) return false;
   if (draws_ && Clock::now() - last_drawn_ >= kDrawInterval) draw_bar(phase, done, total);
   return true;
+}
+
+// Once a limit was hit, there is time to write what was finished by then.
+bool Session::keep_writing(std::uint64_t done) {
+  if (!stopped_ || stopped_ == StopReason::kInterrupted) return keep_going("write", done, 0);
+  return !interrupted();
 }
 
 std::optional<StopReason> Session::find_reason() const {
@@ -104,6 +118,7 @@ void Session::note(std::string_view text) {
 Status Session::finish() {
   clear_bar();
   if (interrupted()) return explain({ErrorCode::kCancelled, "", {}});
+  let_reads_block();  // and writes
   if (!options_.quiet && !report_.empty() && !outputs_.uses_standard_output())
     if (Status status = outputs_.add("-", [&](TextWriter& out) { out << report_; }); !status)
       return status;
@@ -114,8 +129,9 @@ Error Session::explain(Error error) const {
   const std::string in_phase = phase_.empty() ? "" : " while it did: " + phase_;
   const std::string outcome = in_phase + "; " + outcome_;
   if (interrupted()) return {ErrorCode::kCancelled, "interrupted" + outcome, {}};
-  if (error.code != ErrorCode::kCancelled || !stopped_) return error;
-  const bool time = *stopped_ == StopReason::kTimeLimit;
+  const auto reason = stopped_ ? stopped_ : find_reason();
+  if (error.code != ErrorCode::kCancelled || !reason) return error;
+  const bool time = *reason == StopReason::kTimeLimit;
   return {ErrorCode::kLimit,
           (time ? "the time limit was reached" : "the memory limit was reached") + outcome +
               (time ? "; raise --time-limit" : "; raise --max-memory"),

@@ -10,6 +10,7 @@
 #include "wellspaced/io/cli/arguments.hpp"
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/files/output_set.hpp"
+#include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/json/json_writer.hpp"
 #include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
@@ -41,10 +42,15 @@ class Session {
   explicit Session(CommonOptions options);
   ~Session();
 
+  Session(const Session&) = delete;  // callbacks refer to it
+  Session& operator=(const Session&) = delete;
+
   const CommonOptions& options() const { return options_; }
   OutputSet& outputs() { return outputs_; }
   /// How many bytes of one file may be read.
   std::uint64_t largest_input() const { return options_.max_memory.value_or(kLargestInput); }
+  /// How to read a file: within that limit, and with this session's progress.
+  ReadOptions reading(Siblings siblings = Siblings::kRead);
 
   /// To pass to the library: draws the bar, and stops at Ctrl-C and at the limits.
   Progress progress();
@@ -69,6 +75,7 @@ class Session {
 
  private:
   bool keep_going(std::string_view phase, std::uint64_t done, std::uint64_t total);
+  bool keep_writing(std::uint64_t done);
   std::optional<StopReason> find_reason() const;
   void draw_bar(std::string_view phase, std::uint64_t done, std::uint64_t total);
   void clear_bar();

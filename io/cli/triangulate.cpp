@@ -226,8 +226,7 @@ Result<int> run(Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands()[0];
   Report report;
   const Stopwatch reading;
-  auto geometry =
-      read_geometry(path, {.siblings = Siblings::kIgnored, .largest = session.largest_input()});
+  auto geometry = read_geometry(path, session.reading(Siblings::kIgnored));
   if (!geometry) return geometry.error();
   report.read = reading.elapsed();
   report.points = geometry->point_count();

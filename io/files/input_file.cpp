@@ -18,6 +18,12 @@ Error unreadable(const std::string& path, const std::string& why) {
   return {ErrorCode::kUnreadable, display_name(path) + ": cannot read: " + why, {}};
 }
 
+Error broken_off(const std::string& path, int error_number) {
+  if (error_number == EINTR)
+    return {ErrorCode::kCancelled, display_name(path) + ": reading was cancelled", {}};
+  return unreadable(path, std::generic_category().message(error_number));
+}
+
 Error too_large(const std::string& path, std::uint64_t largest) {
   return {ErrorCode::kLimit,
           display_name(path) + ": holds more than the " + std::to_string(largest) +
@@ -44,7 +50,7 @@ Result<std::string> read_stream(std::FILE* stream, const std::string& path, std:
     used += got;
     if (used > largest) return too_large(path, largest);
     if (got == piece) continue;
-    if (std::ferror(stream) != 0) return unreadable(path, std::generic_category().message(errno));
+    if (std::ferror(stream) != 0) return broken_off(path, errno);
     bytes.resize(used);
     return bytes;
   }

@@ -13,7 +13,7 @@ inline constexpr std::uint64_t kLargestInput = std::uint64_t{1} << 34;
 
 /// The bytes of the file `path`; "-" is the standard input.
 /// Errors: kUnreadable if it is missing, a directory or cannot be read; kLimit if it holds more
-/// than `largest` bytes. Messages name the file.
+/// than `largest` bytes; kCancelled if a signal breaks the reading off. Messages name the file.
 /// Cost: the size of the file.
 Result<std::string> read_input(const std::string& path, std::uint64_t largest = kLargestInput);
 

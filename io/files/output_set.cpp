@@ -27,6 +27,8 @@ Error cannot_create(const std::string& path, const std::string& why) {
 
 Error cannot_write(const std::string& path, int error_number) {
   const std::string name = path == "-" ? "<stdout>" : path;
+  if (error_number == ECANCELED)
+    return {ErrorCode::kCancelled, name + ": writing was cancelled", {}};
   return {ErrorCode::kLimit, name + ": cannot write: " + describe(error_number), {}};
 }
 
@@ -85,7 +87,7 @@ Status write_in_place(const std::string& path, std::string_view bytes) {
 
 }  // namespace
 
-OutputSet::OutputSet() = default;
+OutputSet::OutputSet(Progress progress) : progress_(std::move(progress)) {}
 OutputSet::~OutputSet() { discard(); }
 
 Status OutputSet::add(const std::string& path, const std::function<void(TextWriter&)>& write) {
@@ -103,14 +105,15 @@ Status OutputSet::add(const std::string& path, const std::function<void(TextWrit
 
 Status OutputSet::stage(Output& output, const std::function<void(TextWriter&)>& write) {
   if (waits_in_memory(output.path)) {
-    TextWriter writer;
+    TextWriter writer(nullptr, progress_);
     write(writer);
+    if (writer.failed()) return cannot_write(output.path, writer.error());
     output.text = writer.text();
     return Ok{};
   }
   Stream stream = open_beside(output.target, output.temporary);
   if (!stream) return cannot_create(output.path, describe(errno));
-  TextWriter writer(stream.get());
+  TextWriter writer(stream.get(), progress_);
   write(writer);
   writer.flush();
   const int close_error = close_stream(std::move(stream));

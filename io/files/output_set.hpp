@@ -19,14 +19,16 @@ namespace wellspaced {
 /// bytes wait in memory for commit().
 class OutputSet {
  public:
-  OutputSet();
+  /// progress: told by add(), which it may cancel; commit() takes its time.
+  explicit OutputSet(Progress progress = {});
   ~OutputSet();
   OutputSet(const OutputSet&) = delete;
   OutputSet& operator=(const OutputSet&) = delete;
 
   /// Lets `write` produce the file `path`. A file that is there is replaced at commit(), and keeps
   /// its permissions; a symbolic link is followed.
-  /// Errors: kUsage if it cannot be created, or is in the set already; kLimit if the disk is full.
+  /// Errors: kUsage if it cannot be created, or is in the set already; kLimit if the disk is full;
+  /// kCancelled.
   Status add(const std::string& path, const std::function<void(TextWriter&)>& write);
 
   /// Makes the directory `path`, parents included, unless it is there.
@@ -46,6 +48,7 @@ class OutputSet {
   Status stage(Output& output, const std::function<void(TextWriter&)>& write);
   void discard();
 
+  Progress progress_;
   std::vector<std::unique_ptr<Output>> outputs_;
   std::vector<std::string> new_directories_;  // parents first
 };

@@ -13,11 +13,12 @@ constexpr std::string_view kPackingByLfs = "# packing by lfs, beta ",
 
 }  // namespace
 
-Result<std::vector<double>> read_column(const std::string& path, std::size_t count) {
+Result<std::vector<double>> read_column(const std::string& path, std::size_t count,
+                                        const Progress& progress) {
   const auto text = read_input(path);
   if (!text) return text.error();
   std::vector<double> values;
-  Scanner scanner(*text, path);
+  Scanner scanner(*text, {path, progress});
   while (scanner.next_line() && values.size() <= count) values.push_back(scanner.number("a value"));
   if (!scanner.ok()) return scanner.error();
   if (values.size() != count)

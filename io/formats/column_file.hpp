@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "wellspaced/io/files/output_set.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
 
 /// Reads one number a line, as many as `count`; # starts a comment.
 /// Errors: kUnreadable where the file cannot be read, or holds more or fewer.
-Result<std::vector<double>> read_column(const std::string& path, std::size_t count);
+Result<std::vector<double>> read_column(const std::string& path, std::size_t count,
+                                        const Progress& progress = {});
 
 /// What the first line of a packing's spacing says, a comment: "# packing by lfs, beta 10", or "by
 /// size" where something else than the local feature size lowered it.

@@ -57,12 +57,12 @@ bool recognise_xyz(std::string_view text) {
   return fields == 2 || fields == 3;
 }
 
-Result<Geometry> parse_poly_alone(std::string_view text, const std::string& name) {
-  return parse_poly(text, name);
+Result<Geometry> parse_poly_alone(std::string_view text, const TextSource& source) {
+  return parse_poly(text, source);
 }
 
-Result<Geometry> parse_smesh_alone(std::string_view text, const std::string& name) {
-  return parse_smesh(text, name);
+Result<Geometry> parse_smesh_alone(std::string_view text, const TextSource& source) {
+  return parse_smesh(text, source);
 }
 
 template <void (*kWrite)(TextWriter&, const Geometry&)>
@@ -245,9 +245,9 @@ const Format* find_format(const std::string& name, const std::string& path, std:
 }
 
 Result<Geometry> parse_text(const std::string& text, const std::string& path,
-                            const std::string& format_name) {
-  const Format* const format = find_format(format_name, path, text);
-  if (format != nullptr) return format->parse(text, display_name(path));
+                            const ReadOptions& options) {
+  const Format* const format = find_format(options.format, path, text);
+  if (format != nullptr) return format->parse(text, {display_name(path), options.progress});
   return Error{ErrorCode::kUnreadable,
                display_name(path) + ": is in no format that is known: " + readable_names(),
                {}};
@@ -286,13 +286,14 @@ Result<Geometry> read_geometry(const std::string& given, const ReadOptions& opti
     return wrong_usage(display_name(path) + ": " + std::string(format->name) +
                        " files cannot be read; readable are " + readable_names());
   if (options.format.empty() && triangle_set_name(path) != path)
-    return options.siblings == Siblings::kRead ? read_triangle_set(path, options.largest)
-                                               : read_triangle_file(path, options.largest);
+    return options.siblings == Siblings::kRead
+               ? read_triangle_set(path, options.largest, options.progress)
+               : read_triangle_file(path, options.largest, options.progress);
   if (format != nullptr && format->read_files != nullptr)
-    return format->read_files(path, options.largest);
+    return format->read_files(path, options.largest, options.progress);
   const auto text = read_input(path, options.largest);
   if (!text) return text.error();
-  return parse_text(*text, path, options.format);
+  return parse_text(*text, path, options);
 }
 
 Status prepare_geometry(Geometry& geometry, const std::string& name) {

@@ -10,6 +10,7 @@
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -19,13 +20,14 @@ struct Format {
   std::string_view name;        ///< as in --format
   std::string_view extensions;  ///< ".node .ele": those that stand for it
   std::string_view about;       ///< one line for the help
-  /// Reads one whole text; `name` is for messages.
-  Result<Geometry> (*parse)(std::string_view text, const std::string& name);
+  /// Reads one whole text.
+  Result<Geometry> (*parse)(std::string_view text, const TextSource& source);
   /// Whether a text of unknown origin seems to be in this format.
   bool (*recognise)(std::string_view text);
   Status (*write)(OutputSet& outputs, const std::string& path, const Geometry& geometry);
   /// For a format of several files: reads those that `path` stands for.
-  Result<Geometry> (*read_files)(const std::string& path, std::uint64_t largest) = nullptr;
+  Result<Geometry> (*read_files)(const std::string& path, std::uint64_t largest,
+                                 const Progress& progress) = nullptr;
 
   bool readable() const { return parse != nullptr || read_files != nullptr; }
 };
@@ -38,6 +40,7 @@ struct ReadOptions {
   std::string format = {};                ///< empty: by extension and content
   Siblings siblings = Siblings::kRead;    ///< a .poly without points reads its .node in any case
   std::uint64_t largest = kLargestInput;  ///< of one file, in bytes
+  Progress progress = {};                 ///< phase "read", for each file anew
 };
 
 /// Reads points, a domain or a mesh, in any format; "-" is the standard input. Where there is no

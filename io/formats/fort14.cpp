@@ -14,8 +14,8 @@ constexpr int kLandOffset = 2;
 
 class Fort14Parser {
  public:
-  Fort14Parser(std::string_view text, const std::string& name)
-      : scanner_(text, name, {.comment = 0}) {}
+  Fort14Parser(std::string_view text, const TextSource& source)
+      : scanner_(text, source, {.comment = 0}) {}
 
   Result<Geometry> parse();
 
@@ -145,8 +145,8 @@ Result<Geometry> Fort14Parser::parse() {
 
 }  // namespace
 
-Result<Geometry> parse_fort14(std::string_view text, const std::string& name) {
-  return Fort14Parser(text, name).parse();
+Result<Geometry> parse_fort14(std::string_view text, const TextSource& source) {
+  return Fort14Parser(text, source).parse();
 }
 
 // A title, two counts, and a first node with number 1.

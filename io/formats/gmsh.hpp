@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -19,7 +20,7 @@ namespace wellspaced {
 /// versions; kInvalidGeometry for a node that does not exist, NaN and infinity; kLimit for more
 /// than 2^32 - 2 nodes. Each names file and line; within binary data the line is where they begin.
 /// Cost: O(n log n).
-Result<Geometry> parse_gmsh(std::string_view bytes, const std::string& name);
+Result<Geometry> parse_gmsh(std::string_view bytes, const TextSource& source);
 bool recognise_gmsh(std::string_view bytes);
 
 /// The name of the physical group of elements without a marker; it is read as marker 0.

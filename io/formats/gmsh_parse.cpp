@@ -67,8 +67,8 @@ std::int64_t GmshNumbers::count(std::string_view what, std::uint64_t numbers) {
 
 class GmshParser {
  public:
-  GmshParser(std::string_view bytes, const std::string& name)
-      : scanner_(bytes, name, {.comment = 0, .across_lines = true}) {}
+  GmshParser(std::string_view bytes, const TextSource& source)
+      : scanner_(bytes, source, {.comment = 0, .across_lines = true}) {}
 
   Result<Geometry> parse();
 
@@ -409,8 +409,8 @@ Result<Geometry> GmshParser::parse() {
 
 }  // namespace
 
-Result<Geometry> parse_gmsh(std::string_view bytes, const std::string& name) {
-  return GmshParser(bytes, name).parse();
+Result<Geometry> parse_gmsh(std::string_view bytes, const TextSource& source) {
+  return GmshParser(bytes, source).parse();
 }
 
 bool recognise_gmsh(std::string_view bytes) {

@@ -26,9 +26,10 @@ std::string find_file(const std::string& stem) {
 }
 
 // A column beside a level; empty if there is no such file.
-Result<std::vector<double>> read_column_if_there(const std::string& path, std::size_t count) {
+Result<std::vector<double>> read_column_if_there(const std::string& path, std::size_t count,
+                                                 const Progress& progress) {
   if (!file_exists(path)) return std::vector<double>{};
-  return read_column(path, count);
+  return read_column(path, count, progress);
 }
 
 Index to_index(double value) {
@@ -37,18 +38,19 @@ Index to_index(double value) {
 }
 
 Result<audit::HierarchyLevel> read_level(const std::string& stem, const std::string& file,
-                                         std::vector<std::string>& notes) {
-  auto geometry = read_geometry(file);
+                                         std::vector<std::string>& notes,
+                                         const Progress& progress) {
+  auto geometry = read_geometry(file, {.progress = progress});
   if (!geometry) return geometry.error();
   std::move(geometry->notes.begin(), geometry->notes.end(), std::back_inserter(notes));
   if (geometry->dimension != 2 || !geometry->has_cells())
     return Error{ErrorCode::kUnreadable, file + ": holds no triangles", {}};
   audit::HierarchyLevel level;
   level.mesh = std::move(geometry->mesh);
-  const auto origin = read_column_if_there(stem + ".origin", level.mesh.points.size());
+  const auto origin = read_column_if_there(stem + ".origin", level.mesh.points.size(), progress);
   if (!origin) return origin.error();
   for (const double value : *origin) level.origin.push_back(to_index(value));
-  auto spacing = read_column_if_there(stem + ".spacing", level.mesh.points.size());
+  auto spacing = read_column_if_there(stem + ".spacing", level.mesh.points.size(), progress);
   if (!spacing) return spacing.error();
   level.spacing = std::move(*spacing);
   return level;
@@ -74,13 +76,13 @@ Status read_manifest(const std::string& path, HierarchyInput& input) {
 
 }  // namespace
 
-Result<HierarchyInput> read_hierarchy(const std::string& directory) {
+Result<HierarchyInput> read_hierarchy(const std::string& directory, const Progress& progress) {
   HierarchyInput input;
   for (std::size_t k = 0;; ++k) {
     const std::string stem = directory + "/level_" + std::to_string(k);
     const std::string file = find_file(stem);
     if (file.empty()) break;
-    auto level = read_level(stem, file, input.notes);
+    auto level = read_level(stem, file, input.notes, progress);
     if (!level) return level.error();
     input.levels.push_back(std::move(*level));
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -25,6 +26,6 @@ struct HierarchyInput {
 /// with level_K.origin and level_K.spacing, and hierarchy.json, where they exist.
 /// Errors: as read_geometry() and parse_json(); kUnreadable where there is no level_0, a level
 /// holds no triangles, or a column of numbers does not fit its mesh.
-Result<HierarchyInput> read_hierarchy(const std::string& directory);
+Result<HierarchyInput> read_hierarchy(const std::string& directory, const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -12,8 +12,8 @@ namespace {
 
 class MeditParser {
  public:
-  MeditParser(std::string_view text, const std::string& name)
-      : scanner_(text, name, {.across_lines = true}) {}
+  MeditParser(std::string_view text, const TextSource& source)
+      : scanner_(text, source, {.across_lines = true}) {}
 
   Result<Geometry> parse();
 
@@ -216,8 +216,8 @@ void MeditWriter::write() {
 
 }  // namespace
 
-Result<Geometry> parse_medit(std::string_view text, const std::string& name) {
-  return MeditParser(text, name).parse();
+Result<Geometry> parse_medit(std::string_view text, const TextSource& source) {
+  return MeditParser(text, source).parse();
 }
 
 bool recognise_medit(std::string_view text) {

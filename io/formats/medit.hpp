@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -16,7 +17,7 @@ namespace wellspaced {
 /// and with z = 0 throughout is a mesh in the plane.
 /// Errors: kUnreadable for malformed text and other elements; kInvalidGeometry for an index out of
 /// range, NaN and infinity; kLimit for more than 2^32 - 2 points. Each names file and line.
-Result<Geometry> parse_medit(std::string_view text, const std::string& name);
+Result<Geometry> parse_medit(std::string_view text, const TextSource& source);
 bool recognise_medit(std::string_view text);
 
 /// Writes version 2 with the core keywords, which every reader knows.

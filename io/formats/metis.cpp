@@ -13,8 +13,8 @@ namespace {
 
 class MetisParser {
  public:
-  MetisParser(std::string_view text, const std::string& name)
-      : scanner_(text, name, {.comment = '%'}) {}
+  MetisParser(std::string_view text, const TextSource& source)
+      : scanner_(text, source, {.comment = '%'}) {}
 
   Result<MetisGraph> parse();
 
@@ -146,20 +146,21 @@ void write_metis_graph(TextWriter& out, std::size_t vertices,
 
 }  // namespace
 
-Result<MetisGraph> parse_metis_graph(std::string_view text, const std::string& name) {
-  return MetisParser(text, name).parse();
+Result<MetisGraph> parse_metis_graph(std::string_view text, const TextSource& source) {
+  return MetisParser(text, source).parse();
 }
 
-Result<Geometry> read_metis(const std::string& path, std::uint64_t largest) {
+Result<Geometry> read_metis(const std::string& path, std::uint64_t largest,
+                            const Progress& progress) {
   const auto text = read_input(path, largest);
   if (!text) return text.error();
-  auto graph = parse_metis_graph(*text, path);
+  auto graph = parse_metis_graph(*text, {path, progress});
   if (!graph) return graph.error();
   const std::string set = without_graph_extension(path);
   const std::string points = file_exists(set + ".xyz") ? set + ".xyz" : set + ".coords";
   const auto points_text = read_input(points, largest);
   if (!points_text) return points_text.error();
-  auto geometry = parse_xyz(*points_text, points);
+  auto geometry = parse_xyz(*points_text, {points, progress});
   if (!geometry) return geometry.error();
   if (geometry->point_count() != graph->vertices)
     return Error{ErrorCode::kUnreadable,

@@ -9,6 +9,7 @@
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -23,11 +24,12 @@ struct MetisGraph {
 /// Errors: kUnreadable for malformed text, loops, repeated edges, edges that only one end lists and
 /// a wrong count of edges; kInvalidGeometry for a vertex out of range.
 /// Cost: O(n log n).
-Result<MetisGraph> parse_metis_graph(std::string_view text, const std::string& name);
+Result<MetisGraph> parse_metis_graph(std::string_view text, const TextSource& source);
 
 /// Reads X.graph and the coordinates beside it: the edges become segments.
 /// Errors: also kUnreadable where the coordinates are missing or are not as many as the vertices.
-Result<Geometry> read_metis(const std::string& path, std::uint64_t largest = kLargestInput);
+Result<Geometry> read_metis(const std::string& path, std::uint64_t largest = kLargestInput,
+                            const Progress& progress = {});
 
 /// Writes X.graph, the graph of nodes and edges of the mesh or domain, and X.xyz.
 /// Errors: kUsage for the standard output, which takes one file.

@@ -22,8 +22,8 @@ std::size_t announced_mfem_vertices(std::string_view text) {
 
 class MfemParser {
  public:
-  MfemParser(std::string_view text, const std::string& name)
-      : scanner_(text, name, {.across_lines = true}), vertices_(announced_mfem_vertices(text)) {}
+  MfemParser(std::string_view text, const TextSource& source)
+      : scanner_(text, source, {.across_lines = true}), vertices_(announced_mfem_vertices(text)) {}
 
   Result<Geometry> parse();
 
@@ -197,8 +197,8 @@ void MfemWriter::write() {
 
 }  // namespace
 
-Result<Geometry> parse_mfem(std::string_view text, const std::string& name) {
-  return MfemParser(text, name).parse();
+Result<Geometry> parse_mfem(std::string_view text, const TextSource& source) {
+  return MfemParser(text, source).parse();
 }
 
 bool recognise_mfem(std::string_view text) {

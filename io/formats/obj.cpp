@@ -12,7 +12,7 @@ namespace {
 
 class ObjParser {
  public:
-  ObjParser(std::string_view text, const std::string& name) : scanner_(text, name) {}
+  ObjParser(std::string_view text, const TextSource& source) : scanner_(text, source) {}
 
   Result<Geometry> parse();
 
@@ -135,8 +135,8 @@ class ObjWriter {
 
 }  // namespace
 
-Result<Geometry> parse_obj(std::string_view text, const std::string& name) {
-  return ObjParser(text, name).parse();
+Result<Geometry> parse_obj(std::string_view text, const TextSource& source) {
+  return ObjParser(text, source).parse();
 }
 
 bool recognise_obj(std::string_view text) {

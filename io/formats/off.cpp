@@ -14,7 +14,7 @@ bool is_off_keyword(std::string_view word) {
 
 class OffParser {
  public:
-  OffParser(std::string_view text, const std::string& name) : scanner_(text, name) {}
+  OffParser(std::string_view text, const TextSource& source) : scanner_(text, source) {}
 
   Result<Geometry> parse();
 
@@ -88,8 +88,8 @@ void write_off_text(TextWriter& out, const Geometry& geometry) {
 
 }  // namespace
 
-Result<Geometry> parse_off(std::string_view text, const std::string& name) {
-  return OffParser(text, name).parse();
+Result<Geometry> parse_off(std::string_view text, const TextSource& source) {
+  return OffParser(text, source).parse();
 }
 
 bool recognise_off(std::string_view text) {

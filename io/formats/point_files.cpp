@@ -10,6 +10,7 @@ namespace wellspaced {
 namespace {
 
 constexpr std::size_t kF64Header = 16;
+constexpr std::uint64_t kF64ReportEvery = 1 << 16;  // points
 
 void add_point(Geometry& geometry, const std::array<double, 3>& c) {
   if (geometry.dimension == 2) {
@@ -47,8 +48,8 @@ Error wrong(const std::string& name, ErrorCode code, const std::string& what) {
 
 }  // namespace
 
-Result<Geometry> parse_xyz(std::string_view text, const std::string& name) {
-  Scanner scanner(text, name);
+Result<Geometry> parse_xyz(std::string_view text, const TextSource& source) {
+  Scanner scanner(text, source);
   Geometry geometry;
   while (scanner.next_line()) read_line(scanner, geometry);
   if (!scanner.ok()) return scanner.error();
@@ -69,22 +70,24 @@ bool looks_like_f64(std::string_view bytes) {
          count == doubles / dimension;
 }
 
-Result<Geometry> parse_f64(std::string_view bytes, const std::string& name) {
+Result<Geometry> parse_f64(std::string_view bytes, const TextSource& source) {
   if (!looks_like_f64(bytes))
-    return wrong(name, ErrorCode::kUnreadable,
+    return wrong(source.name, ErrorCode::kUnreadable,
                  "the size does not fit a dimension of 2 or 3 and a count, each of 64 bits, and "
                  "as many doubles");
   Geometry geometry;
   geometry.dimension = static_cast<int>(read_bytes<std::uint64_t>(bytes, 0));
   const auto dimension = static_cast<std::uint64_t>(geometry.dimension);
   const auto count = read_bytes<std::uint64_t>(bytes, 8);
-  if (count >= kNoIndex) return wrong(name, ErrorCode::kLimit, "more than 4294967294 points");
+  if (count >= kNoIndex)
+    return wrong(source.name, ErrorCode::kLimit, "more than 4294967294 points");
   for (std::uint64_t i = 0; i < count; ++i) {
+    if (i % kF64ReportEvery == 0 && !source.keep_going(i, count)) return source.cancelled();
     std::array<double, 3> c{};
     for (std::uint64_t k = 0; k < dimension; ++k) {
       c[k] = read_bytes<double>(bytes, kF64Header + 8 * (i * dimension + k));
       if (!std::isfinite(c[k]))
-        return wrong(name, ErrorCode::kInvalidGeometry,
+        return wrong(source.name, ErrorCode::kInvalidGeometry,
                      "point " + std::to_string(i) + " (counted from 0) is not finite");
     }
     add_point(geometry, c);

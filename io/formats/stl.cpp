@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kStlHeader = 84;  // of which the last four bytes are the number of facets
 constexpr std::size_t kStlRecord = 50;
+constexpr std::size_t kStlReportEvery = 1 << 16;  // facets
 
 std::string lower_case(std::string_view text) {
   std::string result(text);
@@ -84,8 +85,8 @@ Geometry StlSoup::weld(const std::string& name) {
 
 class AsciiStlParser {
  public:
-  AsciiStlParser(std::string_view text, const std::string& name)
-      : scanner_(text, name, {.comment = 0, .across_lines = true}) {}
+  AsciiStlParser(std::string_view text, const TextSource& source)
+      : scanner_(text, source, {.comment = 0, .across_lines = true}) {}
 
   Result<Geometry> parse();
 
@@ -150,27 +151,28 @@ Result<Geometry> AsciiStlParser::parse() {
   return geometry;
 }
 
-Result<Geometry> parse_binary_stl(std::string_view bytes, const std::string& name) {
+Result<Geometry> parse_binary_stl(std::string_view bytes, const TextSource& source) {
   const auto count = read_bytes<std::uint32_t>(bytes, 80);
   if (count > (kNoIndex - 1) / 3)
-    return Error{ErrorCode::kLimit, name + ": more than 1431655764 facets", {}};
+    return Error{ErrorCode::kLimit, source.name + ": more than 1431655764 facets", {}};
   StlSoup soup;
   for (std::size_t f = 0; f < count; ++f) {
+    if (f % kStlReportEvery == 0 && !source.keep_going(f, count)) return source.cancelled();
     for (std::size_t corner = 0; corner < 3; ++corner) {
       double c[3];
       for (std::size_t k = 0; k < 3; ++k)
         c[k] = double{
             read_bytes<float>(bytes, kStlHeader + kStlRecord * f + 12 + 12 * corner + 4 * k)};
       if (!std::isfinite(c[0]) || !std::isfinite(c[1]) || !std::isfinite(c[2]))
-        return Error{
-            ErrorCode::kInvalidGeometry,
-            name + ": a corner of facet " + std::to_string(f) + " (counted from 0) is not finite",
-            {static_cast<Index>(f)}};
+        return Error{ErrorCode::kInvalidGeometry,
+                     source.name + ": a corner of facet " + std::to_string(f) +
+                         " (counted from 0) is not finite",
+                     {static_cast<Index>(f)}};
       soup.add_corner({c[0], c[1], c[2]});
     }
     soup.end_facet(0);
   }
-  return soup.weld(name);
+  return soup.weld(source.name);
 }
 
 Point3 facet_normal(const std::vector<Point3>& points, const TetMesh::Facet& facet) {
@@ -223,9 +225,9 @@ bool fits_float(const Point3& p) {
 
 }  // namespace
 
-Result<Geometry> parse_stl(std::string_view bytes, const std::string& name) {
-  if (is_binary_stl(bytes)) return parse_binary_stl(bytes, name);
-  return AsciiStlParser(bytes, name).parse();
+Result<Geometry> parse_stl(std::string_view bytes, const TextSource& source) {
+  if (is_binary_stl(bytes)) return parse_binary_stl(bytes, source);
+  return AsciiStlParser(bytes, source).parse();
 }
 
 bool recognise_stl(std::string_view bytes) {

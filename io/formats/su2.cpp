@@ -22,8 +22,8 @@ std::size_t announced_su2_points(std::string_view text) {
 
 class Su2Parser {
  public:
-  Su2Parser(std::string_view text, const std::string& name)
-      : scanner_(text, name, kSu2Rules), points_(announced_su2_points(text)) {}
+  Su2Parser(std::string_view text, const TextSource& source)
+      : scanner_(text, source, kSu2Rules), points_(announced_su2_points(text)) {}
 
   Result<Geometry> parse();
 
@@ -182,8 +182,8 @@ void Su2Writer::write() {
 
 }  // namespace
 
-Result<Geometry> parse_su2(std::string_view text, const std::string& name) {
-  return Su2Parser(text, name).parse();
+Result<Geometry> parse_su2(std::string_view text, const TextSource& source) {
+  return Su2Parser(text, source).parse();
 }
 
 bool recognise_su2(std::string_view text) {

@@ -11,6 +11,7 @@
 
 #include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -21,13 +22,13 @@ namespace wellspaced {
 
 /// OFF, COFF, NOFF, STOFF or without a keyword; normals, colours and texture coordinates are passed
 /// over. OFF BINARY and 4OFF are refused. Faces of one or two corners are points and segments.
-Result<Geometry> parse_off(std::string_view text, const std::string& name);
+Result<Geometry> parse_off(std::string_view text, const TextSource& source);
 bool recognise_off(std::string_view text);
 /// Segments and markers have no place in the format.
 Status write_off(OutputSet& outputs, const std::string& path, const Geometry& geometry);
 
 /// Vertices, faces, lines; groups ("g NAME") become markers, other statements are passed over.
-Result<Geometry> parse_obj(std::string_view text, const std::string& name);
+Result<Geometry> parse_obj(std::string_view text, const TextSource& source);
 bool recognise_obj(std::string_view text);
 Status write_obj(OutputSet& outputs, const std::string& path, const Geometry& geometry);
 
@@ -35,7 +36,7 @@ Status write_obj(OutputSet& outputs, const std::string& path, const Geometry& ge
 /// (-0 = +0) become one point. Facets two of whose corners are one point are left out, and a note
 /// tells how many. Where there are several solids, a facet's marker is the number of its own,
 /// from 1.
-Result<Geometry> parse_stl(std::string_view bytes, const std::string& name);
+Result<Geometry> parse_stl(std::string_view bytes, const TextSource& source);
 bool recognise_stl(std::string_view bytes);
 /// ASCII keeps the coordinates exactly. Markers and segments have no place in the format.
 Status write_stl(OutputSet& outputs, const std::string& path, const Geometry& geometry);

@@ -26,8 +26,8 @@ std::optional<Index> first_difference(const std::vector<Point>& listed,
 // One reading of a set.
 class SetReader {
  public:
-  SetReader(const std::string& path, std::uint64_t largest)
-      : path_(path), set_(triangle_set_name(path)), largest_(largest) {}
+  SetReader(const std::string& path, std::uint64_t largest, const Progress& progress)
+      : path_(path), set_(triangle_set_name(path)), largest_(largest), progress_(progress) {}
 
   Result<Geometry> read();
 
@@ -43,6 +43,7 @@ class SetReader {
 
   std::string path_, set_;
   std::uint64_t largest_;
+  const Progress& progress_;
   Geometry geometry_;
 };
 
@@ -51,7 +52,7 @@ Status SetReader::read_points() {
   if (!has(".node") && (has(".poly") || has(".smesh"))) return Ok{};  // they must hold them
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
-  auto points = parse_node(*text, name);
+  auto points = parse_node(*text, {name, progress_});
   if (!points) return points.error();
   geometry_ = *std::move(points);
   return Ok{};
@@ -69,10 +70,10 @@ Status SetReader::check_points_of_domain(const Geometry& domain, const std::stri
 }
 
 // A .poly or .smesh, which may lean on the .node.
-Result<Geometry> parse_domain(std::string_view text, const std::string& name,
+Result<Geometry> parse_domain(std::string_view text, const TextSource& source,
                               const Geometry* points) {
-  return has_extension(name, ".smesh") ? parse_smesh(text, name, points)
-                                       : parse_poly(text, name, points);
+  return has_extension(source.name, ".smesh") ? parse_smesh(text, source, points)
+                                              : parse_poly(text, source, points);
 }
 
 Status SetReader::read_domain(const char* extension) {
@@ -83,7 +84,7 @@ Status SetReader::read_domain(const char* extension) {
   if (refers && !has(".node"))
     return Error{
         ErrorCode::kUnreadable, name + ": holds no points, and " + set_ + ".node is missing", {}};
-  auto domain = parse_domain(*text, name, refers ? &geometry_ : nullptr);
+  auto domain = parse_domain(*text, {name, progress_}, refers ? &geometry_ : nullptr);
   if (!domain) return domain.error();
   if (!refers && has(".node")) {
     if (Status status = check_points_of_domain(*domain, name); !status) return status;
@@ -103,7 +104,7 @@ Status SetReader::read_edges() {
   const std::string name = set_ + ".edge";
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
-  const auto edges = parse_edge(*text, name, geometry_);
+  const auto edges = parse_edge(*text, {name, progress_}, geometry_);
   if (!edges) return edges.error();
   auto& segments = geometry_.dimension == 2 ? geometry_.mesh.segments : geometry_.solid.segments;
   std::copy_if(edges->begin(), edges->end(), std::back_inserter(segments),
@@ -115,7 +116,7 @@ Status SetReader::read_faces() {
   const std::string name = set_ + ".face";
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
-  auto faces = parse_face(*text, name, geometry_);
+  auto faces = parse_face(*text, {name, progress_}, geometry_);
   if (!faces) return faces.error();
   geometry_.solid.facets = *std::move(faces);
   return Ok{};
@@ -125,7 +126,7 @@ Status SetReader::read_cells() {
   const std::string name = set_ + ".ele";
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
-  return parse_ele(*text, name, geometry_);
+  return parse_ele(*text, {name, progress_}, geometry_);
 }
 
 // The boundary of a mesh in space is in its .face and .edge; any other is in the domain's file.
@@ -168,24 +169,26 @@ std::string triangle_set_name(const std::string& path) {
   return path;
 }
 
-Result<Geometry> read_triangle_set(const std::string& path, std::uint64_t largest) {
-  return SetReader(path, largest).read();
+Result<Geometry> read_triangle_set(const std::string& path, std::uint64_t largest,
+                                   const Progress& progress) {
+  return SetReader(path, largest, progress).read();
 }
 
-Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t largest) {
+Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t largest,
+                                    const Progress& progress) {
   const auto text = read_input(path, largest);
   if (!text) return text.error();
-  if (has_extension(path, ".node")) return parse_node(*text, path);
+  if (has_extension(path, ".node")) return parse_node(*text, {path, progress});
   if (!has_extension(path, ".poly") && !has_extension(path, ".smesh"))
     return Error{
         ErrorCode::kUnreadable, path + ": holds no points; name its .node or .poly file", {}};
-  if (!poly_refers_to_node(*text)) return parse_domain(*text, path, nullptr);
+  if (!poly_refers_to_node(*text)) return parse_domain(*text, {path, progress}, nullptr);
   const std::string node = triangle_set_name(path) + ".node";
   const auto node_text = read_input(node, largest);
   if (!node_text) return node_text.error();
-  const auto points = parse_node(*node_text, node);
+  const auto points = parse_node(*node_text, {node, progress});
   if (!points) return points.error();
-  return parse_domain(*text, path, &*points);
+  return parse_domain(*text, {path, progress}, &*points);
 }
 
 Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry,

@@ -18,10 +18,12 @@ namespace wellspaced {
 /// stand for X.poly; but where there is an X.ele, the facets are those of X.face if that exists,
 /// and the segments those of X.edge. Errors: as the readers of triangle_text.hpp; kUnreadable if
 /// `path` is missing or nothing holds points.
-Result<Geometry> read_triangle_set(const std::string& path, std::uint64_t largest = kLargestInput);
+Result<Geometry> read_triangle_set(const std::string& path, std::uint64_t largest = kLargestInput,
+                                   const Progress& progress = {});
 
 /// Reads the one file `path`: a .node, or a .poly or .smesh (which may refer to its .node).
-Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t largest = kLargestInput);
+Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t largest = kLargestInput,
+                                    const Progress& progress = {});
 
 /// Whether a set has an .ele without elements and a .poly without segments, holes and regions.
 enum class EmptyFiles { kLeaveOut, kWrite };

@@ -11,7 +11,7 @@ namespace {
 // Reads one text. Failures stick in the scanner.
 class TriangleParser {
  public:
-  TriangleParser(std::string_view text, const std::string& name) : scanner_(text, name) {}
+  TriangleParser(std::string_view text, const TextSource& source) : scanner_(text, source) {}
 
   void read_points(Geometry& geometry);
   std::vector<Segment> read_segments(const Geometry& geometry);
@@ -225,8 +225,8 @@ void TriangleParser::require_end() {
 
 }  // namespace
 
-Result<Geometry> parse_node(std::string_view text, const std::string& name) {
-  TriangleParser parser(text, name);
+Result<Geometry> parse_node(std::string_view text, const TextSource& source) {
+  TriangleParser parser(text, source);
   Geometry geometry;
   parser.read_points(geometry);
   parser.require_end();
@@ -239,9 +239,9 @@ bool poly_refers_to_node(std::string_view text) {
   return scanner.next_line() && scanner.integer("number of points") == 0 && scanner.ok();
 }
 
-Result<Geometry> parse_poly(std::string_view text, const std::string& name,
+Result<Geometry> parse_poly(std::string_view text, const TextSource& source,
                             const Geometry* points) {
-  TriangleParser parser(text, name);
+  TriangleParser parser(text, source);
   Geometry geometry;
   parser.read_points(geometry);
   if (geometry.point_count() == 0 && points != nullptr) geometry = *points;
@@ -257,9 +257,9 @@ Result<Geometry> parse_poly(std::string_view text, const std::string& name,
   return geometry;
 }
 
-Result<Geometry> parse_smesh(std::string_view text, const std::string& name,
+Result<Geometry> parse_smesh(std::string_view text, const TextSource& source,
                              const Geometry* points) {
-  TriangleParser parser(text, name);
+  TriangleParser parser(text, source);
   Geometry geometry;
   parser.read_points(geometry);
   if (geometry.point_count() == 0 && points != nullptr) geometry = *points;
@@ -271,26 +271,26 @@ Result<Geometry> parse_smesh(std::string_view text, const std::string& name,
   return geometry;
 }
 
-Status parse_ele(std::string_view text, const std::string& name, Geometry& geometry) {
-  TriangleParser parser(text, name);
+Status parse_ele(std::string_view text, const TextSource& source, Geometry& geometry) {
+  TriangleParser parser(text, source);
   parser.read_cells(geometry);
   parser.require_end();
   if (!parser.ok()) return parser.error();
   return Ok{};
 }
 
-Result<std::vector<Segment>> parse_edge(std::string_view text, const std::string& name,
+Result<std::vector<Segment>> parse_edge(std::string_view text, const TextSource& source,
                                         const Geometry& geometry) {
-  TriangleParser parser(text, name);
+  TriangleParser parser(text, source);
   std::vector<Segment> edges = parser.read_segments(geometry);
   parser.require_end();
   if (!parser.ok()) return parser.error();
   return edges;
 }
 
-Result<std::vector<TetMesh::Facet>> parse_face(std::string_view text, const std::string& name,
+Result<std::vector<TetMesh::Facet>> parse_face(std::string_view text, const TextSource& source,
                                                const Geometry& geometry) {
-  TriangleParser parser(text, name);
+  TriangleParser parser(text, source);
   std::vector<TetMesh::Facet> faces = parser.read_faces(geometry);
   parser.require_end();
   if (!parser.ok()) return parser.error();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
 #include "wellspaced/kernel/result.hpp"
 
@@ -23,32 +24,32 @@ namespace wellspaced {
 // Cost: linear in the text.
 
 /// Reads points in the plane or in space, with attributes and markers.
-Result<Geometry> parse_node(std::string_view text, const std::string& name);
+Result<Geometry> parse_node(std::string_view text, const TextSource& source);
 
 /// Reads a planar straight-line graph: points, segments, holes and regions; the hole and region
 /// sections may be missing. Where the text holds no points, those of `points` are taken, which
 /// come from its .node file. A region without a largest area takes its attribute for it, as in
 /// Triangle. Over points in space it is TetGen's: facets with their polygons and holes, then holes
 /// and regions of the volume.
-Result<Geometry> parse_poly(std::string_view text, const std::string& name,
+Result<Geometry> parse_poly(std::string_view text, const TextSource& source,
                             const Geometry* points = nullptr);
 
 /// Reads TetGen's simpler description of a domain in space: facets of one polygon each.
-Result<Geometry> parse_smesh(std::string_view text, const std::string& name,
+Result<Geometry> parse_smesh(std::string_view text, const TextSource& source,
                              const Geometry* points = nullptr);
 
 /// Whether a .poly or .smesh text holds no points of its own, but refers to a .node file.
 bool poly_refers_to_node(std::string_view text);
 
 /// Adds to `geometry` its triangles (3 corners) or tetrahedra (4), with their attributes.
-Status parse_ele(std::string_view text, const std::string& name, Geometry& geometry);
+Status parse_ele(std::string_view text, const TextSource& source, Geometry& geometry);
 
 /// Reads edges between the points of `geometry`, with their markers (0 where there is none).
-Result<std::vector<Segment>> parse_edge(std::string_view text, const std::string& name,
+Result<std::vector<Segment>> parse_edge(std::string_view text, const TextSource& source,
                                         const Geometry& geometry);
 
 /// Reads triangles between the points of `geometry`, which lie in space, with their markers.
-Result<std::vector<TetMesh::Facet>> parse_face(std::string_view text, const std::string& name,
+Result<std::vector<TetMesh::Facet>> parse_face(std::string_view text, const TextSource& source,
                                                const Geometry& geometry);
 
 // The writers mirror the readers: numbers are shortest and read back bit for bit; everything is

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
@@ -58,11 +59,11 @@ void write_vtk(TextWriter& out, const VtkGrid& grid, VtkEncoding encoding = VtkE
 // that the file is too short to keep.
 
 /// Reads a legacy file: versions up to 5.1, text or binary, UNSTRUCTURED_GRID or POLYDATA.
-Result<Geometry> parse_vtk(std::string_view bytes, const std::string& name);
+Result<Geometry> parse_vtk(std::string_view bytes, const TextSource& source);
 bool recognise_vtk(std::string_view bytes);
 
 /// Reads a .vtu: text, base64, or appended as base64 or raw bytes; several pieces become one.
-Result<Geometry> parse_vtu(std::string_view bytes, const std::string& name);
+Result<Geometry> parse_vtu(std::string_view bytes, const TextSource& source);
 bool recognise_vtu(std::string_view bytes);
 
 /// The geometry that a grid from a file describes. Errors: as the readers.

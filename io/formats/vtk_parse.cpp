@@ -84,8 +84,8 @@ double decode_vtk(VtkType type, std::string_view raw) {
 
 class VtkParser {
  public:
-  VtkParser(std::string_view bytes, const std::string& name)
-      : scanner_(bytes, name, {.comment = 0, .across_lines = true}) {}
+  VtkParser(std::string_view bytes, const TextSource& source)
+      : scanner_(bytes, source, {.comment = 0, .across_lines = true}) {}
 
   Result<Geometry> parse();
 
@@ -341,8 +341,8 @@ Result<Geometry> VtkParser::parse() {
 
 }  // namespace
 
-Result<Geometry> parse_vtk(std::string_view bytes, const std::string& name) {
-  return VtkParser(bytes, name).parse();
+Result<Geometry> parse_vtk(std::string_view bytes, const TextSource& source) {
+  return VtkParser(bytes, source).parse();
 }
 
 bool recognise_vtk(std::string_view bytes) { return bytes.substr(0, 14) == "# vtk DataFile"; }

@@ -31,7 +31,7 @@ struct VtuBlock {
 
 class VtuParser {
  public:
-  VtuParser(std::string_view text, const std::string& name) : reader_(text), name_(name) {}
+  VtuParser(std::string_view text, const TextSource& source) : reader_(text), source_(source) {}
 
   Result<Geometry> parse();
 
@@ -68,7 +68,7 @@ class VtuParser {
   bool ok() const { return !error_; }
 
   MarkupReader reader_;
-  const std::string& name_;
+  const TextSource& source_;
   std::optional<Error> error_;
   std::endian order_ = std::endian::little;
   std::size_t header_size_ = 4;
@@ -79,7 +79,7 @@ class VtuParser {
 };
 
 void VtuParser::fail(std::uint64_t line, const std::string& message, ErrorCode code) {
-  if (ok()) error_ = Error{code, name_ + ":" + std::to_string(line) + ": " + message, {}};
+  if (ok()) error_ = Error{code, source_.name + ":" + std::to_string(line) + ": " + message, {}};
 }
 
 std::uint64_t VtuParser::attribute_number(const MarkupTag& tag, std::string_view key,
@@ -229,6 +229,7 @@ std::string_view without_white_space_around(std::string_view text) {
 }
 
 std::string VtuParser::bytes_of(const VtuArray& array) {
+  if (ok() && !source_.keep_going(array.line, reader_.line())) error_ = source_.cancelled();
   const bool appended = array.format == "appended";
   if (!appended && array.format != "binary") {
     fail(array.line, "the format " + in_quotes(array.format) + " of an array is not known");
@@ -247,11 +248,13 @@ std::string VtuParser::bytes_of(const VtuArray& array) {
 }
 
 std::vector<double> VtuParser::ascii_values(const VtuArray& array, std::uint64_t count) {
-  Scanner scanner(array.text, name_, {.comment = 0, .across_lines = true});
+  Scanner scanner(array.text, source_, {.comment = 0, .across_lines = true});
   std::vector<double> values;
   if (!scanner.has_room_for(count, 1, "values"))
     fail(array.line, "the array " + in_quotes(array.name) + " is too short");
   while (ok() && scanner.more()) values.push_back(scanner.any_number("value"));
+  if (ok() && !scanner.ok() && scanner.error().code == ErrorCode::kCancelled)
+    error_ = scanner.error();
   if (!scanner.ok())
     fail(array.line, "the array " + in_quotes(array.name) + " holds what is no number");
   return values;
@@ -364,13 +367,13 @@ Result<Geometry> VtuParser::parse() {
   if (!has_root_) fail(1, "the tag VTKFile is missing");
   for (const Piece& piece : pieces_) add_piece(piece);
   if (!ok()) return *error_;
-  return geometry_of(grid_, name_);
+  return geometry_of(grid_, source_.name);
 }
 
 }  // namespace
 
-Result<Geometry> parse_vtu(std::string_view bytes, const std::string& name) {
-  return VtuParser(bytes, name).parse();
+Result<Geometry> parse_vtu(std::string_view bytes, const TextSource& source) {
+  return VtuParser(bytes, source).parse();
 }
 
 bool recognise_vtu(std::string_view bytes) {

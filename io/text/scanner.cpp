@@ -10,6 +10,7 @@
 namespace wellspaced {
 namespace {
 
+constexpr std::uint64_t kReportEvery = 1 << 13;  // lines
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool is_blank(char c, char another) {
@@ -54,8 +55,8 @@ std::string in_quotes(std::string_view token) {
   return result + (token.size() > kLongest ? "...'" : "'");
 }
 
-Scanner::Scanner(std::string_view text, std::string file, ScanRules rules)
-    : file_(std::move(file)), rules_(rules), rest_(text) {
+Scanner::Scanner(std::string_view text, TextSource source, ScanRules rules)
+    : source_(std::move(source)), rules_(rules), size_(text.size()), rest_(text) {
   if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark)
     rest_.remove_prefix(kByteOrderMark.size());
 }
@@ -63,13 +64,18 @@ Scanner::Scanner(std::string_view text, std::string file, ScanRules rules)
 bool Scanner::next_line_or_empty() {
   line_ = {};
   if (!ok() || rest_.empty()) return false;
+  if (++line_number_ % kReportEvery == 0) report_place();
   line_ = take_line(rest_);
-  ++line_number_;
   const std::size_t comment =
       rules_.comment == 0 ? std::string_view::npos : line_.find(rules_.comment);
   has_comment_ = comment != std::string_view::npos;
   line_ = line_.substr(0, comment);
   return true;
+}
+
+// What comes next is read all the same: it is the last.
+void Scanner::report_place() {
+  if (!error_ && !source_.keep_going(size_ - rest_.size(), size_)) error_ = source_.cancelled();
 }
 
 bool Scanner::next_line() {
@@ -167,6 +173,7 @@ std::string_view Scanner::bytes_after_line(std::uint64_t count, std::string_view
     fail(ErrorCode::kUnreadable, "the file ends within the " + std::string(what));
     return {};
   }
+  report_place();
   line_ = {};
   const std::string_view bytes = rest_.substr(0, static_cast<std::size_t>(count));
   rest_.remove_prefix(bytes.size());
@@ -210,7 +217,8 @@ bool Scanner::has_room_for(std::uint64_t records, std::uint64_t fields, std::str
 
 void Scanner::fail(ErrorCode code, std::string_view message) {
   if (error_) return;
-  const std::string where = line_number_ == 0 ? file_ : file_ + ":" + std::to_string(line_number_);
+  const std::string where =
+      line_number_ == 0 ? file() : file() + ":" + std::to_string(line_number_);
   error_ = Error{code, where + ": " + std::string(message), {}};
 }
 

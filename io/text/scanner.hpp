@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -25,8 +26,8 @@ struct ScanRules {
 /// parser may read a whole line before it asks ok(). The error names file and line.
 class Scanner {
  public:
-  /// `file` is the name for messages. Requires: `text` outlives the scanner.
-  Scanner(std::string_view text, std::string file, ScanRules rules = {});
+  /// Requires: `text` outlives the scanner. kCancelled sticks where the source says stop.
+  Scanner(std::string_view text, TextSource source, ScanRules rules = {});
 
   /// Moves to the next line that holds a field. False at the end and after a failure.
   bool next_line();
@@ -80,7 +81,7 @@ class Scanner {
   /// Records a failure at the present line, unless there is one already.
   void fail(ErrorCode code, std::string_view message);
 
-  const std::string& file() const { return file_; }
+  const std::string& file() const { return source_.name; }
   std::uint64_t line_number() const { return line_number_; }
 
  private:
@@ -90,8 +91,11 @@ class Scanner {
   void fail_field(ErrorCode code, std::string_view what, std::string_view token,
                   std::string_view complaint);
 
-  std::string file_;
+  void report_place();
+
+  TextSource source_;
   ScanRules rules_;
+  std::size_t size_;
   std::string_view rest_;  // what follows the present line
   std::string_view line_;  // what is left of the present line
   std::uint64_t line_number_ = 0;
@@ -99,7 +103,7 @@ class Scanner {
   std::optional<Error> error_;
 };
 
-/// `token` for a message: quoted, cut after 24 bytes, unprintable bytes as \xNN.
+/// `token` for a message: quoted, cut after 24 bytes, unprintable bytes in hexadecimal.
 std::string in_quotes(std::string_view token);
 
 }  // namespace wellspaced

@@ -7,8 +7,6 @@
 namespace wellspaced {
 namespace {
 
-constexpr std::size_t kFlushAt = std::size_t{1} << 20;
-
 template <class T>
 std::string_view to_text(T value, std::array<char, 32>& space) {
   const auto [end, code] = std::to_chars(space.data(), space.data() + space.size(), value);
@@ -23,12 +21,20 @@ std::string shortest(double value) {
 }
 
 TextWriter& TextWriter::operator<<(std::string_view text) {
+  if (failed()) return *this;
   buffer_ += text;
-  if (stream_ != nullptr && buffer_.size() >= kFlushAt) flush();
+  if (buffer_.size() >= pass_on_at_) pass_on();
   return *this;
 }
 
+void TextWriter::pass_on() {
+  if (!report(progress_, "write", passed_ + buffer_.size(), 0)) error_ = ECANCELED;
+  flush();
+  pass_on_at_ = buffer_.size() + kPiece;
+}
+
 TextWriter& TextWriter::operator<<(double value) {
+  if (failed()) return *this;
   std::array<char, 32> space{};
   return *this << to_text(value, space);
 }
@@ -43,11 +49,12 @@ void TextWriter::comment(std::string_view mark, std::string_view text) {
 }
 
 bool TextWriter::flush() {
-  if (stream_ == nullptr) return true;
+  if (stream_ == nullptr || failed()) return !failed();
   errno = 0;
   const bool written = std::fwrite(buffer_.data(), 1, buffer_.size(), stream_) == buffer_.size() &&
                        std::fflush(stream_) == 0;
-  if (!written && error_ == 0) error_ = errno != 0 ? errno : EIO;
+  if (!written) error_ = errno != 0 ? errno : EIO;
+  passed_ += buffer_.size();
   buffer_.clear();
   return !failed();
 }

@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -13,12 +16,15 @@ namespace wellspaced {
 std::string shortest(double value);
 
 /// Collects text in memory; where a stream stands behind it, passes it on in large pieces.
-/// The first write error sticks (failed()).
+/// The first write error sticks (failed()), and all that is written after it is dropped. Where
+/// `progress` says stop (phase "write"; done: bytes; total: 0), that is the error ECANCELED.
 class TextWriter {
  public:
   TextWriter() = default;
-  /// Requires: `stream` stays open as long as the writer is used; the writer does not close it.
-  explicit TextWriter(std::FILE* stream) : stream_(stream) {}
+  /// Requires: `stream`, unless it is null, stays open as long as the writer is used, which does
+  /// not close it.
+  explicit TextWriter(std::FILE* stream, Progress progress = {})
+      : stream_(stream), progress_(std::move(progress)) {}
 
   TextWriter& operator<<(char c) { return *this << std::string_view(&c, 1); }
   TextWriter& operator<<(const char* text) { return *this << std::string_view(text); }
@@ -42,9 +48,14 @@ class TextWriter {
 
  private:
   TextWriter& append_integer(std::int64_t value);
+  void pass_on();
 
+  static constexpr std::size_t kPiece = std::size_t{1} << 20;
   std::FILE* stream_ = nullptr;
+  Progress progress_;
   std::string buffer_;
+  std::size_t pass_on_at_ = kPiece;
+  std::uint64_t passed_ = 0;
   int error_ = 0;
 };
 

@@ -9,11 +9,12 @@
 #include "tests/support/temporary_directory.hpp"
 #include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/formats/geometry.hpp"
+#include "wellspaced/io/text/text_source.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced::test {
 
-using Parser = Result<Geometry> (*)(std::string_view, const std::string&);
+using Parser = Result<Geometry> (*)(std::string_view, const TextSource&);
 using Writer = Status (*)(OutputSet&, const std::string&, const Geometry&);
 
 /// What `parse` makes of a text called "x", which must be legal.

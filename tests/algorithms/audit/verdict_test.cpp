@@ -44,6 +44,29 @@ TriangleMesh square(Point2 low, double size) {
   return mesh;
 }
 
+// Stops at the call number `last`; counts the calls.
+Progress stop_at(int last, int& calls) {
+  return [last, &calls](std::string_view phase, std::uint64_t done, std::uint64_t total) {
+    EXPECT_EQ(phase, "audit");
+    EXPECT_LE(done, total);
+    return ++calls < last;
+  };
+}
+
+TEST(Verdict, OfACancelledAuditIsNoPass) {
+  const TriangleMesh mesh = square({0, 0}, 1);
+  int all = 0;
+  ASSERT_TRUE(audit::audit_mesh(mesh, {.progress = stop_at(1000, all)}).pass());
+  EXPECT_GE(all, 5);
+  for (int last = 1; last <= all; ++last) {
+    int calls = 0;
+    const audit::Report report = audit::audit_mesh(mesh, {.progress = stop_at(last, calls)});
+    EXPECT_FALSE(report.complete);
+    EXPECT_FALSE(report.pass());
+    EXPECT_EQ(calls, last) << "it asks again after it was stopped";
+  }
+}
+
 TEST(Verdict, OnAFanThatWindsTwiceIsOverlap) {
   EXPECT_EQ(verdict(closed_fan(9, 1)), Names{});
   EXPECT_EQ(verdict(closed_fan(9, 2)), Names{"no_overlap"});

@@ -101,6 +101,19 @@ TEST(Program, EndsCleanlyAtCtrlCWhileItReads) {
   EXPECT_EQ(directory.count_files(), 0u);
 }
 
+TEST(Program, KeepsItsTimeLimitEvenWhereAPipeStaysSilent) {
+  const TemporaryDirectory directory, streams;
+  const std::string pipe = streams / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const pid_t child = test::start_program(
+      streams, {"convert", pipe, directory / "a", "--time-limit", "0.3"}, "/dev/null");
+  const int feed = open(pipe.c_str(), O_WRONLY);
+  const ProgramRun run = test::wait_for_program(streams, child);
+  close(feed);
+  expect_one_line_error(run, 5, "the time limit was reached");
+  EXPECT_EQ(directory.count_files(), 0u);
+}
+
 TEST(Predicate, PrintsOneSignALine) {
   const ProgramRun run =
       run_program({"predicate", "orient2d", "-"}, "# a comment\n0 0 1 0 0 1\r\n\n0,0 1\n");

@@ -21,15 +21,15 @@ using Polygons = std::vector<std::vector<Index>>;
 constexpr const char* kPoints = "5 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n";
 
 Geometry poly(std::string_view text) {
-  return parsed([](std::string_view t, const std::string& n) { return parse_poly(t, n); }, text);
+  return parsed([](std::string_view t, const TextSource& n) { return parse_poly(t, n); }, text);
 }
 
 Geometry smesh(std::string_view text) {
-  return parsed([](std::string_view t, const std::string& n) { return parse_smesh(t, n); }, text);
+  return parsed([](std::string_view t, const TextSource& n) { return parse_smesh(t, n); }, text);
 }
 
 void expect_poly_refused(const std::string& text, const std::string& part) {
-  expect_refused([](std::string_view t, const std::string& n) { return parse_poly(t, n); },
+  expect_refused([](std::string_view t, const TextSource& n) { return parse_poly(t, n); },
                  kPoints + text, part);
 }
 
@@ -109,7 +109,7 @@ TEST(ParsePolyInSpace, SurvivesDamage) {
   g.volume_holes = {{0.5, 0.25, 0.125}};
   const std::string text = written(g, FacetSyntax::kPoly);
   test::expect_survives_damage(
-      [](std::string_view t, const std::string& n) { return parse_poly(t, n); }, text);
+      [](std::string_view t, const TextSource& n) { return parse_poly(t, n); }, text);
 }
 
 TEST(ReadTriangleSet, ReadsAMeshInSpaceWithItsFacesAndEdges) {
