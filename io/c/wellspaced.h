@@ -98,6 +98,11 @@ wellspaced_set_mesh(wellspaced_context* context, const double* points, size_t po
                     const uint32_t* triangles, size_t triangle_count, const uint32_t* segments,
                     const int* segment_markers, size_t segment_count);
 
+/* Takes a tetrahedral mesh. Facets of its boundary are not listed. */
+WELLSPACED_API wellspaced_status wellspaced_set_tet_mesh(wellspaced_context* context,
+                                                         const double* points, size_t point_count,
+                                                         const uint32_t* tets, size_t tet_count);
+
 /* Coarsens the triangle mesh by the thesis' function-based method: level 0 is the mesh. The context
  * then holds the levels, the last one selected. beta > 1, factor > 1; 0 stands for the default. */
 WELLSPACED_API wellspaced_status wellspaced_coarsen(wellspaced_context* context, double beta,
@@ -105,6 +110,11 @@ WELLSPACED_API wellspaced_status wellspaced_coarsen(wellspaced_context* context,
 WELLSPACED_API size_t wellspaced_level_count(const wellspaced_context* context);
 /* Selects the level that the getters speak of, 0 the finest. */
 WELLSPACED_API wellspaced_status wellspaced_select_level(wellspaced_context* context, size_t level);
+
+/* Judges the mesh, or the selected level, with exact arithmetic: *pass is 1 if it passes all
+ * required checks, otherwise 0. A mesh that fails is no error. wellspaced_get_report() tells the
+ * details. */
+WELLSPACED_API wellspaced_status wellspaced_audit(wellspaced_context* context, int* pass);
 
 /* Reads or writes a file in any format that the program knows; by extension where `format` is NULL.
  * A file appears complete or not at all. */
@@ -130,6 +140,11 @@ WELLSPACED_API size_t wellspaced_get_segment_markers(const wellspaced_context* c
                                                      size_t capacity);
 /* Of each point of the selected level, its number in level 0; nothing without a hierarchy. */
 WELLSPACED_API size_t wellspaced_get_origin(const wellspaced_context* context, uint32_t* buffer,
+                                            size_t capacity);
+
+/* The last audit of what the context holds, as the JSON object that `wellspaced audit --json`
+ * prints, with an end of string; nothing before an audit. */
+WELLSPACED_API size_t wellspaced_get_report(const wellspaced_context* context, char* buffer,
                                             size_t capacity);
 
 #ifdef __cplusplus

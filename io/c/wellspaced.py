@@ -7,11 +7,13 @@ Copy this file beside the shared library (libwellspaced_c.so), or name that in L
     mesh = lib.triangulate(points)             # (n, 2) or (n, 3) doubles
     mesh.points, mesh.cells                    # (n, d) doubles, (m, d + 1) indices from 0
     levels = lib.coarsen(mesh, beta=25)        # meshes, the finest first; .origin numbers into it
+    lib.audit(levels[-1])["verdict"]           # "pass" or "fail", and what `wellspaced audit` says
     lib.write(levels[-1], "coarse.vtu")
 """
 import ctypes
+import json
 import os
-from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int, c_size_t, c_uint32, c_uint64, c_void_p
 
 import numpy as np
 
@@ -64,7 +66,9 @@ _SIGNATURES = {
     "triangulate3": (c_int, [c_void_p, POINTER(c_double), c_size_t]),
     "set_mesh": (c_int, [c_void_p, POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t,
                          POINTER(c_uint32), POINTER(c_int), c_size_t]),
+    "set_tet_mesh": (c_int, [c_void_p, POINTER(c_double), c_size_t, POINTER(c_uint32), c_size_t]),
     "coarsen": (c_int, [c_void_p, c_double, c_double, c_uint64]),
+    "audit": (c_int, [c_void_p, POINTER(c_int)]),
     "level_count": (c_size_t, [c_void_p]),
     "select_level": (c_int, [c_void_p, c_size_t]),
     "read": (c_int, [c_void_p, c_char_p, c_char_p]),
@@ -75,6 +79,7 @@ _SIGNATURES = {
     "get_segments": (c_size_t, [c_void_p, POINTER(c_uint32), c_size_t]),
     "get_segment_markers": (c_size_t, [c_void_p, POINTER(c_int), c_size_t]),
     "get_origin": (c_size_t, [c_void_p, POINTER(c_uint32), c_size_t]),
+    "get_report": (c_size_t, [c_void_p, POINTER(c_char), c_size_t]),
 }
 
 
@@ -132,13 +137,22 @@ class Library:
                 levels.append(context.mesh())
             return levels
 
+    def audit(self, mesh):
+        """What `wellspaced audit --json` says of a mesh of triangles or tetrahedra, as a dict."""
+        with _Context(self) as context:
+            context.set_mesh(mesh)
+            context.call(self._audit, byref(c_int()))
+            report = ctypes.create_string_buffer(self._get_report(context.handle, None, 0))
+            self._get_report(context.handle, report, len(report))
+            return json.loads(report.value)
+
     def read(self, path, format=None):
         with _Context(self) as context:
             context.call(self._read, os.fsencode(path), format and format.encode())
             return context.mesh()
 
     def write(self, mesh, path, format=None):
-        """Writes a triangle mesh."""
+        """Writes a mesh of triangles or tetrahedra."""
         with _Context(self) as context:
             context.set_mesh(mesh)
             context.call(self._write, os.fsencode(path), format and format.encode())
@@ -169,6 +183,11 @@ class _Context:
             raise Error(status, self._library._message(self.handle).decode())
 
     def set_mesh(self, mesh):
+        if mesh.points.ndim == 2 and mesh.points.shape[1] == 3:
+            points, cells = _rows(mesh.points, 3, np.float64), _rows(mesh.cells, 4, np.uint32)
+            self.call(self._library._set_tet_mesh, _pointer(points, c_double), len(points),
+                      _pointer(cells, c_uint32), len(cells))
+            return
         points, cells = _rows(mesh.points, 2, np.float64), _rows(mesh.cells, 3, np.uint32)
         self.call(self._library._set_mesh, _pointer(points, c_double), len(points),
                   _pointer(cells, c_uint32), len(cells), _pointer(mesh.segments, c_uint32),

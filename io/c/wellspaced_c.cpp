@@ -7,9 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "wellspaced/algorithms/audit/mesh_audit.hpp"
+#include "wellspaced/algorithms/audit/tet_audit.hpp"
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/io/c/wellspaced.h"
 #include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/io/report/audit_report.hpp"
 #include "wellspaced/kernel/memory.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/predicates.hpp"
@@ -25,6 +28,7 @@ struct wellspaced_context {
   wellspaced::Hierarchy hierarchy;  // or its levels
   std::size_t level = 0;
   std::string message;
+  std::string report;  // of the last audit, JSON
   wellspaced_progress progress = nullptr;
   void* user = nullptr;
 };
@@ -117,6 +121,7 @@ void hold(wellspaced_context& context, Geometry geometry) {
   context.geometry = std::move(geometry);
   context.hierarchy = {};
   context.level = 0;
+  context.report.clear();
 }
 
 const TriangleMesh& held_mesh(const wellspaced_context& context) {
@@ -153,11 +158,20 @@ Status coarsen_held(wellspaced_context& context, const CoarseningOptions& option
   if (!hierarchy->complete) return Error{ErrorCode::kCancelled, "coarsening was cancelled", {}};
   context.hierarchy = *std::move(hierarchy);
   context.level = context.hierarchy.levels.size() - 1;
+  context.report.clear();
   return Ok{};
 }
 
+audit::Report audit_held(const wellspaced_context& context) {
+  const Progress progress = progress_of(context);
+  if (!is_plane(context))
+    return audit::audit_tet_mesh(context.geometry.solid, {.progress = progress});
+  return audit::audit_mesh(held_mesh(context), {.progress = progress});
+}
+
 Status read_into(wellspaced_context& context, const char* path, const char* format) {
-  auto geometry = read_geometry(path, {.format = format == nullptr ? "" : format});
+  auto geometry = read_geometry(
+      path, {.format = format == nullptr ? "" : format, .progress = progress_of(context)});
   if (!geometry) return geometry.error();
   if (!geometry->mesh.triangles.empty())
     if (Status status = prepare_geometry(*geometry, path); !status) return status;
@@ -166,7 +180,7 @@ Status read_into(wellspaced_context& context, const char* path, const char* form
 }
 
 Status write_from(const wellspaced_context& context, const char* path, const char* format) {
-  OutputSet outputs;
+  OutputSet outputs(progress_of(context));
   const bool levels = !context.hierarchy.levels.empty();
   const Geometry geometry = levels ? to_geometry(held_mesh(context)) : context.geometry;
   Status status = write_geometry(outputs, path, format == nullptr ? "" : format, geometry);
@@ -288,6 +302,29 @@ wellspaced_status wellspaced_set_mesh(wellspaced_context* context, const double*
   });
 }
 
+wellspaced_status wellspaced_set_tet_mesh(wellspaced_context* context, const double* points,
+                                          size_t point_count, const uint32_t* tets,
+                                          size_t tet_count) {
+  return run_on(context, [&]() -> Status {
+    if (Status status = check_counts(point_count, tet_count); !status) return status;
+    auto taken = take_points<Point3, 3>(points, point_count, point3_at);
+    if (!taken) return taken.error();
+    Geometry geometry;
+    geometry.dimension = 3;
+    geometry.solid.points = *std::move(taken);
+    for (const uint32_t* t = tets; t != tets + 4 * tet_count; t += 4) {
+      if (std::any_of(t, t + 4, [&](uint32_t v) { return v >= point_count; }))
+        return Error{
+            ErrorCode::kInvalidGeometry,
+            "tetrahedron " + std::to_string((t - tets) / 4) + " has a corner that does not exist",
+            {static_cast<Index>((t - tets) / 4)}};
+      geometry.solid.tets.push_back({t[0], t[1], t[2], t[3]});
+    }
+    hold(*context, std::move(geometry));
+    return Ok{};
+  });
+}
+
 wellspaced_status wellspaced_coarsen(wellspaced_context* context, double beta, double factor,
                                      uint64_t seed) {
   return run_on(context, [&]() -> Status {
@@ -309,6 +346,21 @@ wellspaced_status wellspaced_select_level(wellspaced_context* context, size_t le
     if (level >= context->hierarchy.levels.size())
       return Error{ErrorCode::kUsage, "there is no level " + std::to_string(level), {}};
     context->level = level;
+    context->report.clear();
+    return Ok{};
+  });
+}
+
+wellspaced_status wellspaced_audit(wellspaced_context* context, int* pass) {
+  return run_on(context, [&]() -> Status {
+    const audit::Report report = audit_held(*context);
+    if (!report.complete) return Error{ErrorCode::kCancelled, "the audit was cancelled", {}};
+    JsonWriter json;
+    json.begin_object();
+    append_audit_json(json, report);
+    json.end_object();
+    context->report = json.text();
+    *pass = report.pass() ? 1 : 0;
     return Ok{};
   });
 }
@@ -365,4 +417,11 @@ size_t wellspaced_get_origin(const wellspaced_context* context, uint32_t* buffer
   const auto& origin = levels[context->level].origin;
   return get_values(origin.size(), buffer, capacity,
                     [&](uint32_t* out) { std::copy(origin.begin(), origin.end(), out); });
+}
+
+size_t wellspaced_get_report(const wellspaced_context* context, char* buffer, size_t capacity) {
+  const std::string& report = context->report;
+  if (report.empty()) return 0;
+  return get_values(report.size() + 1, buffer, capacity,
+                    [&](char* out) { std::copy_n(report.c_str(), report.size() + 1, out); });
 }

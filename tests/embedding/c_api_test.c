@@ -135,6 +135,23 @@ static void cancels_when_the_callback_says_so(wellspaced_context* context) {
   wellspaced_set_progress(context, NULL, NULL);
 }
 
+static void audits_what_it_holds(wellspaced_context* context) {
+  int pass = -1;
+  set_grid(context, 5);
+  EXPECT(wellspaced_get_report(context, NULL, 0) == 0);
+  EXPECT(wellspaced_audit(context, &pass) == WELLSPACED_OK && pass == 1);
+  char report[100000] = "";
+  const size_t size = wellspaced_get_report(context, report, sizeof report);
+  EXPECT(size == strlen(report) + 1);
+  EXPECT(strstr(report, "\"verdict\":\"pass\"") != NULL);
+  const double points[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const uint32_t twice[8] = {0, 1, 2, 3, 0, 1, 2, 3}, far_away[4] = {0, 1, 2, 4};
+  EXPECT(wellspaced_set_tet_mesh(context, points, 4, far_away, 1) == WELLSPACED_INVALID_GEOMETRY);
+  EXPECT(wellspaced_get_report(context, NULL, 0) == size);
+  EXPECT(wellspaced_set_tet_mesh(context, points, 4, twice, 2) == WELLSPACED_OK);
+  EXPECT(wellspaced_audit(context, &pass) == WELLSPACED_OK && pass == 0);
+}
+
 static void writes_and_reads_files(wellspaced_context* context, const char* path) {
   set_grid(context, 4);
   EXPECT(wellspaced_write(context, path, "gmsh22") == WELLSPACED_OK);
@@ -154,6 +171,7 @@ int main(int argc, char** argv) {
   triangulates_a_cube(context);
   coarsens_a_grid(context);
   cancels_when_the_callback_says_so(context);
+  audits_what_it_holds(context);
   writes_and_reads_files(context, argv[1]);
   wellspaced_destroy(context);
   wellspaced_destroy(NULL);

@@ -70,6 +70,24 @@ class Test(unittest.TestCase):
         self.assertTrue((back.points == mesh.points).all())
         self.assertTrue((back.cells == mesh.cells).all())
 
+    def test_audits_tell_the_verdict_and_the_offenders(self):
+        good = lib.triangulate(grid(5))
+        self.assertEqual(lib.audit(good)["verdict"], "pass")
+        corners = [[0, 0], [1, 0], [0, 1], [.1, .1], [1, .1], [.1, 1]]
+        report = lib.audit(wellspaced.Mesh(corners, [[0, 1, 2], [3, 4, 5]]))
+        self.assertEqual(report["verdict"], "fail")
+        failed = {check["name"] for check in report["checks"] if not check["pass"]}
+        self.assertEqual(failed, {"no_overlap"})
+
+    def test_meshes_in_space_are_audited_and_written(self):
+        mesh = lib.triangulate(np.random.default_rng(2).random((50, 3)))
+        self.assertEqual(lib.audit(mesh)["verdict"], "pass")
+        path = os.path.join(folder, "python_space.vtu")
+        lib.write(mesh, path)
+        self.assertEqual(len(lib.read(path).cells), len(mesh.cells))
+        with self.assertRaisesRegex(wellspaced.Error, "tetrahedron 0 has a corner"):
+            lib.audit(wellspaced.Mesh(mesh.points[:4], [[0, 1, 2, 4]]))
+
     def test_errors_are_exceptions_with_a_message(self):
         with self.assertRaisesRegex(wellspaced.Error, "point 0 is not finite"):
             lib.triangulate([[np.nan, 0]])
