@@ -10,7 +10,7 @@
 namespace wellspaced {
 namespace {
 
-constexpr std::uint64_t kReportEvery = 1 << 13;  // lines
+constexpr std::uint64_t kLinesAReport = 1 << 13;  // lines
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 bool is_blank(char c, char another) {
@@ -64,7 +64,7 @@ Scanner::Scanner(std::string_view text, TextSource source, ScanRules rules)
 bool Scanner::next_line_or_empty() {
   line_ = {};
   if (!ok() || rest_.empty()) return false;
-  if (++line_number_ % kReportEvery == 0) report_place();
+  if (++line_number_ % kLinesAReport == 0) report_place();
   line_ = take_line(rest_);
   const std::size_t comment =
       rules_.comment == 0 ? std::string_view::npos : line_.find(rules_.comment);
