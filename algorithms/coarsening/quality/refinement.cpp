@@ -32,7 +32,7 @@ constexpr double kVariation = 0.05;
 constexpr std::size_t kCandidatesBetweenCalls = 4096;
 
 // Far more than a walk to the circumcentre of a triangle takes.
-constexpr int kMostSteps = 1000;
+constexpr int kMostWalkSteps = 1000;
 
 bool is_in_lens(Point2 p, Point2 a, Point2 b) {
   const double toward = (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y);
@@ -223,7 +223,7 @@ std::optional<EditableLevel::Wall> Refinement::first_wall_towards(Point2 place,
                                                                   Index triangle) const {
   const Triangulation2& topology = level_.triangulation().topology();
   const auto& points = level_.triangulation().points();
-  for (int step = 0; step < kMostSteps && !topology.is_ghost(triangle); ++step) {
+  for (int step = 0; step < kMostWalkSteps && !topology.is_ghost(triangle); ++step) {
     unsigned i = 0;
     for (; i < 3; ++i) {
       const Triangulation2::Edge e{triangle, i};
