@@ -56,7 +56,9 @@ Result<audit::HierarchyLevel> read_level(const std::string& stem, const std::str
   return level;
 }
 
-Status read_manifest(const std::string& path, HierarchyInput& input) {
+// listed: how many levels hierarchy.json tells of, where it does.
+Status read_manifest(const std::string& path, HierarchyInput& input,
+                     std::optional<std::size_t>& listed) {
   if (!file_exists(path)) return Ok{};
   const auto text = read_input(path);
   if (!text) return text.error();
@@ -69,6 +71,9 @@ Status read_manifest(const std::string& path, HierarchyInput& input) {
   if (const JsonValue* scheme = json->find("scheme")) input.scheme = scheme->text;
   if (const JsonValue* nested = json->find("node_nested"))
     input.node_nested = nested->kind != JsonValue::Kind::kFalse;
+  if (const JsonValue* levels = json->find("levels");
+      levels != nullptr && levels->kind == JsonValue::Kind::kArray)
+    listed = levels->items.size();
   if (const JsonValue* fixed = json->find("fixed"))
     for (const JsonValue& node : fixed->items) input.fixed.push_back(to_index(node.number));
   return Ok{};
@@ -78,9 +83,15 @@ Status read_manifest(const std::string& path, HierarchyInput& input) {
 
 Result<HierarchyInput> read_hierarchy(const std::string& directory, const Progress& progress) {
   HierarchyInput input;
-  for (std::size_t k = 0;; ++k) {
+  std::optional<std::size_t> listed;
+  if (Status status = read_manifest(directory + "/hierarchy.json", input, listed); !status)
+    return status.error();
+  for (std::size_t k = 0; !listed || k < *listed; ++k) {
     const std::string stem = directory + "/level_" + std::to_string(k);
     const std::string file = find_file(stem);
+    if (file.empty() && listed && k > 0)
+      return Error{
+          ErrorCode::kUnreadable, stem + ": hierarchy.json lists it, but it is missing", {}};
     if (file.empty()) break;
     auto level = read_level(stem, file, input.notes, progress);
     if (!level) return level.error();
@@ -88,8 +99,6 @@ Result<HierarchyInput> read_hierarchy(const std::string& directory, const Progre
   }
   if (input.levels.empty())
     return Error{ErrorCode::kUnreadable, directory + ": there is no mesh level_0 in it", {}};
-  if (Status status = read_manifest(directory + "/hierarchy.json", input); !status)
-    return status.error();
   return input;
 }
 

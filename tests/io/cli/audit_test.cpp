@@ -1,7 +1,9 @@
 // wellspaced audit, as a CI job meets it.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tests/support/data.hpp"
 #include "tests/support/program.hpp"
@@ -255,6 +257,27 @@ TEST(AuditCommand, JudgesTheSpacingOfPoints) {
   EXPECT_EQ(run_program({"audit", points, "--spacing", f, "--domain", domain}).exit_code, 0);
   const std::string few = directory.write("few.txt", "1\n1\n");
   EXPECT_EQ(run_program({"audit", points, "--spacing", few}).exit_code, 3);
+}
+
+// A shorter sequence is written where a longer one was.
+TEST(AuditCommand, JudgesTheLevelsThatHierarchyJsonLists) {
+  const TemporaryDirectory directory;
+  const std::string mesh = directory / "annulus", levels = directory / "levels";
+  ASSERT_EQ(run_program({"generate", "annulus", "--nodes", "600", "-o", mesh}).exit_code, 0);
+  const std::vector<std::string> command = {"coarsen", mesh, "--profile", "thesis", "-o", levels};
+  ASSERT_EQ(run_program(command).exit_code, 0);
+  std::vector<std::string> shorter = command;
+  shorter.insert(shorter.end(), {"--levels", "1", "--beta", "6", "--factor", "2"});
+  ASSERT_EQ(run_program(shorter).exit_code, 0);
+  ASSERT_TRUE(std::filesystem::exists(levels + "/level_2.node"));
+  EXPECT_EQ(run_program({"audit", levels}).exit_code, 0);
+
+  std::filesystem::remove(levels + "/level_1.node");
+  std::filesystem::remove(levels + "/level_1.ele");
+  std::filesystem::remove(levels + "/level_1.poly");
+  const auto missing = run_program({"audit", levels});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_TRUE(contains(missing.err, "level_1"));
 }
 
 TEST(AuditCommand, ReportsADirectoryWithoutLevels) {
