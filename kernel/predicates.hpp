@@ -81,6 +81,11 @@ inline int insphere(Point3 a, Point3 b, Point3 c, Point3 d, Point3 e) {
                                                 d.y, d.z, e.x, e.y, e.z});
 }
 
+/// Whether p, which is collinear with a and b, lies strictly between them.
+inline bool strictly_between(Point2 a, Point2 p, Point2 b) {
+  return b < a ? b < p && p < a : a < p && p < b;
+}
+
 /// The sign of |a-p| - |b-p|: negative when a is nearer to p than b, 0 when they are equally far.
 inline int compare_distances(Point2 p, Point2 a, Point2 b) {
   const int sign = predicate_filter::compare_distances(p, a, b);

@@ -10,14 +10,6 @@
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
-namespace {
-
-// Whether p, collinear with a and b, lies strictly between them.
-bool strictly_between(Point2 a, Point2 p, Point2 b) {
-  return b < a ? b < p && p < a : a < p && p < b;
-}
-
-}  // namespace
 
 int Delaunay2::turn(Index a, Index b, Index c) const {
   return orient2d(points_[a], points_[b], points_[c]);

@@ -26,13 +26,6 @@ constexpr std::size_t kUsualStar = 64;
 
 constexpr Index kGhostVertex = Triangulation2::kGhost;
 
-// i + 1 and i - 1 modulo 3, looked up two bits a value: no processor could guess a branch here.
-constexpr unsigned next_corner(unsigned i) { return 0b00'10'01u >> (2 * i) & 3u; }
-constexpr unsigned previous_corner(unsigned i) { return 0b01'00'10u >> (2 * i) & 3u; }
-
-// Whether p, collinear with a and b, lies strictly between them.
-bool lies_between(Point2 a, Point2 p, Point2 b) { return b < a ? b < p && p < a : a < p && p < b; }
-
 // A triangle as p sees it: the link to one of its edges, which runs from a to b, the corner c
 // opposite, and the minors of its sides.
 struct SeenTriangle {
@@ -105,7 +98,8 @@ class BulkInserter {
   }
 
   int exact_side(const Triangle& t, unsigned i) const {
-    return orient2d(points_[t.vertex[next_corner(i)]], points_[t.vertex[previous_corner(i)]], p_);
+    return orient2d(points_[t.vertex[Triangulation2::next(i)]],
+                    points_[t.vertex[Triangulation2::previous(i)]], p_);
   }
 
   // Whether triangle t behind e is in conflict with p. e begins at `start`; in and out are the
@@ -127,7 +121,8 @@ class BulkInserter {
       if (v[i] != kGhostVertex) continue;
       const int sign = exact_side(t, i);
       if (sign != 0) return sign > 0;
-      return lies_between(points_[v[next_corner(i)]], p_, points_[v[previous_corner(i)]]);
+      return strictly_between(points_[v[Triangulation2::next(i)]], p_,
+                              points_[v[Triangulation2::previous(i)]]);
     }
     return incircle(points_[v[0]], points_[v[1]], points_[v[2]], p_) > 0;
   }
@@ -144,7 +139,8 @@ class BulkInserter {
       if (triangles_[hint].vertex[i] == kGhostVertex) link = triangles_[hint].link[i];
     const Triangle& t = triangle(link);
     const unsigned i = link & 3;
-    Lifted a = see(t.vertex[next_corner(i)]), b = see(t.vertex[previous_corner(i)]);
+    Lifted a = see(t.vertex[Triangulation2::next(i)]),
+           b = see(t.vertex[Triangulation2::previous(i)]);
     if (side(t, i, a, b) < 0) {
       link = t.link[i];
       std::swap(a, b);
@@ -157,7 +153,8 @@ class BulkInserter {
     double ab = edge_minor(a, b);
     for (;;) {
       const Triangle& t = triangle(link);
-      const unsigned i = link & 3, next = next_corner(i), previous = previous_corner(i);
+      const unsigned i = link & 3, next = Triangulation2::next(i),
+                     previous = Triangulation2::previous(i);
       const Lifted c = see(t.vertex[i]);
       if (t.vertex[i] == kGhostVertex) return {link, a, b, c, ab, 0, 0};
       const double bc = edge_minor(b, c), ca = edge_minor(c, a);
@@ -190,8 +187,8 @@ class BulkInserter {
     const auto& link = triangle(root.link).link;
     const unsigned i = root.link & 3;
     slots_[2] = root.link >> 3;
-    stack_[0] = {root.a, root.ca, link[previous_corner(i)]};
-    stack_[1] = {root.c, root.bc, link[next_corner(i)]};
+    stack_[0] = {root.a, root.ca, link[Triangulation2::previous(i)]};
+    stack_[1] = {root.c, root.bc, link[Triangulation2::next(i)]};
     stack_[2] = {root.b, root.ab, link[i]};
   }
 
@@ -216,7 +213,8 @@ class BulkInserter {
     bool is_right = edge_minor(start, next) >= 0;     // `start`, of the way to `next`
     for (;;) {
       Triangle& t = triangles[e.link >> 3];
-      const unsigned i = e.link & 3, next_i = next_corner(i), previous_i = previous_corner(i);
+      const unsigned i = e.link & 3, next_i = Triangulation2::next(i),
+                     previous_i = Triangulation2::previous(i);
       const Lifted apex = see(t.vertex[i]);
       const double in = edge_minor(start, apex), out = edge_minor(apex, e.end);
       if (is_in_hole(t, e, start, apex, in, out)) {
