@@ -29,7 +29,7 @@
 namespace wellspaced::cli {
 namespace {
 
-constexpr std::array<Option, 9> kOptions = {{
+constexpr std::array<Option, 9> kAuditOptions = {{
     {"--domain", "FILE", "the domain that the mesh must conform to"},
     {"--allowance", "ULPS",
      "how far rounding may put nodes off its segments, in units in the last place (2)"},
@@ -328,7 +328,7 @@ Status publish(const std::string& tables, Session& session) {
   return Ok{};
 }
 
-Result<int> run(Arguments& arguments, Session& session) {
+Result<int> run_audit(Arguments& arguments, Session& session) {
   const auto demands = read_demands(arguments, session);
   if (!demands) return demands.error();
   const std::vector<std::string>& paths = arguments.operands();
@@ -356,7 +356,7 @@ const Command kAudit = {.name = "audit",
                         .summary = "the verdict on a mesh: exact checks, measures, exit code 1",
                         .least_operands = 1,
                         .most_operands = 1000000,
-                        .options = kOptions,
-                        .run = run};
+                        .options = kAuditOptions,
+                        .run = run_audit};
 
 }  // namespace wellspaced::cli

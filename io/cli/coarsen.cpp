@@ -33,7 +33,7 @@ namespace {
 enum class Profile { kThesis, kMultigrid, kQuality };
 enum class Statistics { kNone, kBasic, kFull };
 
-struct Request {
+struct CoarsenRequest {
   CoarseningOptions options;  // what all methods share
   std::vector<CoarseningMethod> methods;
   std::optional<double> beta, factor;  // given ones; otherwise each method has its own
@@ -164,8 +164,8 @@ std::vector<const MatrixFormat*> read_matrix_formats(Arguments& arguments,
   return formats;
 }
 
-Request read_request(Arguments& arguments, std::uint64_t seed) {
-  Request request;
+CoarsenRequest read_request(Arguments& arguments, std::uint64_t seed) {
+  CoarsenRequest request;
   const Profile profile = read_profile(arguments);
   request.multigrid = profile == Profile::kMultigrid;
   if (request.multigrid) request.options = multigrid_profile();
@@ -252,7 +252,7 @@ std::vector<LevelStatistics> measure(const Hierarchy& hierarchy, Statistics deta
   return rows;
 }
 
-CoarseningOptions options_of(const Request& request, CoarseningMethod method) {
+CoarseningOptions options_of(const CoarsenRequest& request, CoarseningMethod method) {
   const bool of_profile = request.multigrid && method == CoarseningMethod::kFunction;
   const CoarseningOptions usual = of_profile ? multigrid_profile() : theorem_options(method);
   CoarseningOptions options = request.options;
@@ -290,8 +290,8 @@ void warn_of_drift(const SolverHierarchy& solver, Session& session) {
                "% of its area; --keep-boundary 0.02 keeps it within 2%");
 }
 
-Result<Run> run_method(const TriangleMesh& mesh, const Request& request, CoarseningMethod method,
-                       Session& session) {
+Result<Run> run_method(const TriangleMesh& mesh, const CoarsenRequest& request,
+                       CoarseningMethod method, Session& session) {
   Run run;
   run.options = options_of(request, method);
   reset_peak_resident();
@@ -505,8 +505,8 @@ Status write_report(const std::string& path, const std::string& input, std::span
   return session.outputs().add(path, [&](TextWriter& out) { out << report_html(report); });
 }
 
-Result<int> run(Arguments& arguments, Session& session) {
-  Request request = read_request(arguments, session.options().seed);
+Result<int> run_coarsen(Arguments& arguments, Session& session) {
+  CoarsenRequest request = read_request(arguments, session.options().seed);
   if (Status status = arguments.status(); !status)
     return Error{ErrorCode::kUsage, "coarsen: " + status.error().message, {}};
   if (session.options().output == "-")
@@ -545,7 +545,7 @@ Result<int> run(Arguments& arguments, Session& session) {
   return kExitLimit;
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kCoarsenOptions = {
     Option{
         "--profile", "NAME",
         "where what is not given comes from: multigrid: beta 4, C 2, down to 600 nodes "
@@ -595,7 +595,7 @@ const Command kCoarsen = {
     .summary = "coarsen a mesh into a sequence of ever coarser, nested meshes",
     .least_operands = 1,
     .most_operands = 1,
-    .options = kOptions,
-    .run = run};
+    .options = kCoarsenOptions,
+    .run = run_coarsen};
 
 }  // namespace wellspaced::cli

@@ -22,7 +22,7 @@ Result<std::string> find_target(const Arguments& arguments, const Session& sessi
   return option.empty() ? operands[1] : option;
 }
 
-Result<int> run(Arguments& arguments, Session& session) {
+Result<int> run_convert(Arguments& arguments, Session& session) {
   const auto target = find_target(arguments, session);
   if (!target) return target.error();
   const std::string& source = arguments.operands()[0];
@@ -48,6 +48,6 @@ const Command kConvert = {.name = "convert",
                           .least_operands = 1,
                           .most_operands = 2,
                           .options = {},
-                          .run = run};
+                          .run = run_convert};
 
 }  // namespace wellspaced::cli

@@ -17,7 +17,7 @@
 namespace wellspaced::cli {
 namespace {
 
-constexpr std::array<Option, 11> kOptions = {{
+constexpr std::array<Option, 11> kGenerateOptions = {{
     {"--nodes", "N", "number of nodes or points (default 20000)"},
     {"--grading", "OCTAVES",
      "crack, annulus, airfoil, spiral, wellspaced: spacing grows by 2^OCTAVES"},
@@ -32,14 +32,15 @@ constexpr std::array<Option, 11> kOptions = {{
     {"--levels", "K", "degradation: levels of the pattern of Figure 6.1, 1 to 8 (default 5)"},
 }};
 
-constexpr double kMostPoints = 1 << 28;
+constexpr double kMostGenerated = 1 << 28;
 
-struct Request {
+struct GenerateRequest {
   Arguments& arguments;
   Session& session;
 
   std::size_t count(std::string_view option, std::int64_t otherwise) const {
-    return static_cast<std::size_t>(arguments.integer(option, otherwise, between(1, kMostPoints)));
+    return static_cast<std::size_t>(
+        arguments.integer(option, otherwise, between(1, kMostGenerated)));
   }
   std::size_t nodes() const { return count("--nodes", 20'000); }
   std::uint64_t seed() const { return session.options().seed; }
@@ -48,11 +49,11 @@ struct Request {
 struct Kind {
   std::string_view name;
   std::string_view options;  // those that it takes, blanks around each
-  Result<Geometry> (*make)(const Request& request);
+  Result<Geometry> (*make)(const GenerateRequest& request);
 };
 
 // The share of cells cut the other way; kMixed stands for random and mixed:P.
-void read_diagonals(const Request& request, GridOptions& options) {
+void read_diagonals(const GenerateRequest& request, GridOptions& options) {
   const std::string rule = request.arguments.text("--diagonals", "slash");
   constexpr std::string_view kMixed = "mixed:";
   if (rule == "slash") return;
@@ -71,7 +72,7 @@ void read_diagonals(const Request& request, GridOptions& options) {
   options.mixed = share.value;
 }
 
-Result<Geometry> make_grid(const Request& request) {
+Result<Geometry> make_grid(const GenerateRequest& request) {
   GridOptions options;
   options.nx = static_cast<Index>(request.count("--nx", 1000));
   options.ny = static_cast<Index>(request.count("--ny", 1000));
@@ -84,7 +85,7 @@ Result<Geometry> make_grid(const Request& request) {
   return to_geometry(std::move(*mesh));
 }
 
-Result<Geometry> make_mis_degradation(const Request& request) {
+Result<Geometry> make_mis_degradation(const GenerateRequest& request) {
   const auto levels =
       static_cast<unsigned>(request.arguments.integer("--levels", 5, between(1, 8)));
   if (Status status = request.arguments.status(); !status) return status.error();
@@ -102,7 +103,7 @@ Geometry domain_geometry(Pslg boundary) {
 }
 
 template <GradedDomain domain>
-Result<Geometry> make_graded(const Request& request) {
+Result<Geometry> make_graded(const GenerateRequest& request) {
   GradedMeshOptions options;
   options.nodes = static_cast<Index>(request.nodes());
   if (request.arguments.has("--grading"))
@@ -119,7 +120,7 @@ Result<Geometry> make_graded(const Request& request) {
   return to_geometry(std::move(*mesh));
 }
 
-Result<Geometry> make_well_spaced(const Request& request) {
+Result<Geometry> make_well_spaced(const GenerateRequest& request) {
   WellSpacedOptions options;
   options.nodes = static_cast<Index>(request.nodes());
   options.octaves = request.arguments.number("--grading", 0, at_least(0));
@@ -145,27 +146,27 @@ Geometry points_geometry(std::vector<Point3> points) {
 
 // Makes the points once the options are known to be right.
 template <class Make>
-Result<Geometry> make_points(const Request& request, Make make) {
+Result<Geometry> make_points(const GenerateRequest& request, Make make) {
   if (Status status = request.arguments.status(); !status) return status.error();
   auto points = make();
   if (request.arguments.has("--shuffle")) shuffle_points(points, request.seed());
   return points_geometry(std::move(points));
 }
 
-void check_product(const Request& request, std::initializer_list<std::size_t> counts) {
+void check_product(const GenerateRequest& request, std::initializer_list<std::size_t> counts) {
   double product = 1;
   for (const std::size_t count : counts) product *= static_cast<double>(count);
-  if (product > kMostPoints)
+  if (product > kMostGenerated)
     request.arguments.refuse("--nx", "times the other numbers is more than 2^28 points");
 }
 
-Result<Geometry> make_lattice(const Request& request) {
+Result<Geometry> make_lattice(const GenerateRequest& request) {
   const std::size_t nx = request.count("--nx", 1000), ny = request.count("--ny", 1000);
   check_product(request, {nx, ny});
   return make_points(request, [&] { return grid_points(nx, ny); });
 }
 
-Result<Geometry> make_lattice3(const Request& request) {
+Result<Geometry> make_lattice3(const GenerateRequest& request) {
   const std::size_t nx = request.count("--nx", 50), ny = request.count("--ny", 50),
                     nz = request.count("--nz", 50);
   check_product(request, {nx, ny, nz});
@@ -173,11 +174,11 @@ Result<Geometry> make_lattice3(const Request& request) {
 }
 
 // 100 points a turn, and a hundredth of the radius between turns.
-Result<Geometry> make_helix3(const Request& request) {
+Result<Geometry> make_helix3(const GenerateRequest& request) {
   return make_points(request, [n = request.nodes()] { return helix_points3(n, 100, 0.01); });
 }
 
-Result<Geometry> make_spiral(const Request& request) {
+Result<Geometry> make_spiral(const GenerateRequest& request) {
   const std::size_t nodes = request.nodes();
   const double octaves = request.arguments.number("--grading", 40, between(0, 500));
   return make_points(request, [&] { return spiral_points(nodes, octaves); });
@@ -194,53 +195,55 @@ constexpr std::array<Kind, 22> kKinds = {{
     {"degradation", " --levels ", make_mis_degradation},
     {"wellspaced", " --nodes --grading --tight ", make_well_spaced},
     {"random", kPoints,
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes(), &r] { return random_points(n, r.seed()); });
      }},
     {"clusters", kPoints,
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes(), &r] { return clustered_points(n, 100, r.seed()); });
      }},
     {"circle", kPoints,  // a tenth of the points on it, the others inside
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(
            r, [n = r.nodes(), &r] { return circle_points(n / 10, n - n / 10, r.seed()); });
      }},
     {"spiral", " --nodes --grading --shuffle ", make_spiral},
     {"lattice", " --nx --ny --shuffle ", make_lattice},
     {"parabola", kPoints,
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes()] { return parabola_points(n); });
      }},
     {"collinear", kPoints,  // all but one
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes()] { return collinear_points_and_one(n - 1); });
      }},
     {"hammersley", kPoints,
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes()] { return hammersley_points(n); });
      }},
     {"halton", kPoints,
-     [](const Request& r) { return make_points(r, [n = r.nodes()] { return halton_points(n); }); }},
+     [](const GenerateRequest& r) {
+       return make_points(r, [n = r.nodes()] { return halton_points(n); });
+     }},
     {"copies", kPoints,  // of 10 points
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes(), &r] { return repeated_points(n, 10, r.seed()); });
      }},
     {"box3", kPoints,
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes(), &r] { return box_points3(n, r.seed()); });
      }},
     {"lattice3", " --nx --ny --nz --shuffle ", make_lattice3},
     {"sphere3", kPoints,
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes(), &r] { return sphere_points3(n, r.seed()); });
      }},
     {"moment3", kPoints,
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes()] { return moment_points3(n); });
      }},
     {"lines3", kPoints,  // half of them on each
-     [](const Request& r) {
+     [](const GenerateRequest& r) {
        return make_points(r, [n = r.nodes()] { return line_points3(n / 2); });
      }},
     {"helix3", kPoints, make_helix3},
@@ -262,7 +265,7 @@ Result<const Kind*> find_kind(const Arguments& arguments) {
   const std::string& name = arguments.operands()[0];
   for (const Kind& kind : kKinds) {
     if (kind.name != name) continue;
-    for (const Option& option : kOptions)
+    for (const Option& option : kGenerateOptions)
       if (arguments.has(option.name) && !takes(kind, option.name))
         return Error{
             ErrorCode::kUsage, "generate: " + std::string(option.name) + " is not for " + name, {}};
@@ -291,7 +294,7 @@ std::string output_format(const CommonOptions& options) {
   return options.format.empty() && is_bare ? "triangle" : options.format;
 }
 
-Result<int> run(Arguments& arguments, Session& session) {
+Result<int> run_generate(Arguments& arguments, Session& session) {
   const auto kind = find_kind(arguments);
   if (!kind) return kind.error();
   if (session.options().output.empty())
@@ -321,7 +324,7 @@ const Command kGenerate = {
         "moment3, lines3, helix3)",
     .least_operands = 1,
     .most_operands = 1,
-    .options = kOptions,
-    .run = run};
+    .options = kGenerateOptions,
+    .run = run_generate};
 
 }  // namespace wellspaced::cli

@@ -57,7 +57,7 @@ int read_and_decide(Scanner& scanner, const Predicate& predicate) {
   return scanner.ok() ? predicate.sign(c) : 0;
 }
 
-Result<int> run(Arguments& arguments, Session& session) {
+Result<int> run_predicate(Arguments& arguments, Session& session) {
   const Predicate* const predicate = find_predicate(arguments.operands()[0]);
   if (predicate == nullptr)
     return Error{ErrorCode::kUsage,
@@ -82,7 +82,7 @@ Result<int> run(Arguments& arguments, Session& session) {
   return kExitOk;
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kPredicateOptions = {
     Option{"--corpus", "", "skip the first two fields of each line (the sign and a tag)"},
 };
 
@@ -96,7 +96,7 @@ const Command kPredicate = {.name = "predicate",
                                 "coordinates; KIND: orient2d, incircle, orient3d, insphere",
                             .least_operands = 2,
                             .most_operands = 2,
-                            .options = kOptions,
-                            .run = run};
+                            .options = kPredicateOptions,
+                            .run = run_predicate};
 
 }  // namespace wellspaced::cli

@@ -99,7 +99,7 @@ Status write_page(std::span<const Exhibit> exhibits, const LaboratoryOptions& op
   return added ? outputs.commit() : added;
 }
 
-Result<int> run(Arguments& arguments, Session& session) {
+Result<int> run_reproduce(Arguments& arguments, Session& session) {
   const std::string& what = arguments.operands()[0];
   Laboratory laboratory(read_options(arguments, session));
   if (Status status = arguments.status(); !status)
@@ -126,7 +126,7 @@ Result<int> run(Arguments& arguments, Session& session) {
   return kExitOk;
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kReproduceOptions = {
     Option{"--runs", "N",
            "runs of each experiment of which the thesis made 30 (default 30), in proportion of the "
            "others; on all cores, unless --threads says otherwise"},
@@ -147,7 +147,7 @@ const Command kReproduce = {
         "to 8.8, figure-1.1 to 1.5, 5.4, 8.5 to 8.9, section-6.1, 8.4, drawings, all",
     .least_operands = 1,
     .most_operands = 1,
-    .options = kOptions,
-    .run = run};
+    .options = kReproduceOptions,
+    .run = run_reproduce};
 
 }  // namespace wellspaced::cli

@@ -222,7 +222,7 @@ void leave_points_alone(const std::string& name, Session& session, Geometry& geo
   geometry.polygons.clear();
 }
 
-Result<int> run(Arguments& arguments, Session& session) {
+Result<int> run_triangulate(Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands()[0];
   Report report;
   const Stopwatch reading;
@@ -245,7 +245,7 @@ Result<int> run(Arguments& arguments, Session& session) {
   return kExitOk;
 }
 
-constexpr std::array kOptions = {
+constexpr std::array kTriangulateOptions = {
     Option{"--holes", "RULE",
            "which regions belong to the domain: parity, seeds, none, outer "
            "(default: seeds if the file lists any, else parity)"},
@@ -262,7 +262,7 @@ const Command kTriangulate = {
     .summary = "(constrained) Delaunay triangulation in the plane, Delaunay in space",
     .least_operands = 1,
     .most_operands = 1,
-    .options = kOptions,
-    .run = run};
+    .options = kTriangulateOptions,
+    .run = run_triangulate};
 
 }  // namespace wellspaced::cli
