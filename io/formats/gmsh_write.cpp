@@ -124,8 +124,7 @@ void GmshWriter::write_format() {
   if (binary()) integer(1);
   end_data();
   out_ << "$EndMeshFormat\n";
-  if (!geometry_.remark.empty())
-    out_ << "$Comments\n" << geometry_.remark << "\n$EndComments\n";
+  if (!geometry_.remark.empty()) out_ << "$Comments\n" << geometry_.remark << "\n$EndComments\n";
 }
 
 void GmshWriter::write_names() {

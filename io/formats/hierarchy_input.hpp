@@ -22,11 +22,11 @@ struct HierarchyInput {
   bool node_nested = true;
 };
 
-/// Reads level_0, level_1, ... as far as they exist, or as many as hierarchy.json lists where it has
-/// an array "levels" (files beyond are of an earlier run), each in any format that holds triangle meshes,
-/// with level_K.origin and level_K.spacing, and hierarchy.json, where they exist.
-/// Errors: as read_geometry() and parse_json(); kUnreadable where there is no level_0 or none of those listed, a level
-/// holds no triangles, or a column of numbers does not fit its mesh.
+/// Reads level_0, level_1, ... as far as they exist, or as many as hierarchy.json lists where it
+/// has an array "levels" (files beyond are of an earlier run), each in any format that holds
+/// triangle meshes, with level_K.origin and level_K.spacing, and hierarchy.json, where they exist.
+/// Errors: as read_geometry() and parse_json(); kUnreadable where there is no level_0 or none of
+/// those listed, a level holds no triangles, or a column of numbers does not fit its mesh.
 Result<HierarchyInput> read_hierarchy(const std::string& directory, const Progress& progress = {});
 
 }  // namespace wellspaced
