@@ -5,7 +5,7 @@
 #include "wellspaced/kernel/predicate_filter.hpp"
 
 // As in predicate_filter.hpp.
-#ifdef __clang__
+#if defined(__clang__) && !defined(__wasm__)
 #pragma float_control(precise, on, push)
 #endif
 
@@ -44,6 +44,6 @@ inline IncircleEstimate incircle_of_minors(Lifted a, Lifted b, Lifted c, double 
 
 }  // namespace wellspaced::predicate_filter
 
-#ifdef __clang__
+#if defined(__clang__) && !defined(__wasm__)
 #pragma float_control(pop)
 #endif
