@@ -67,10 +67,10 @@ std::string Sha256::finish() {
   take(0x80);
   while (length_ % 64 != 56) take(0);
   for (int shift = 56; shift >= 0; shift -= 8) take(static_cast<std::uint8_t>(bits >> shift));
-  constexpr char kDigits[] = "0123456789abcdef";
+  constexpr char kHexadecimal[] = "0123456789abcdef";
   std::string text;
   for (const std::uint32_t word : state_)
-    for (int shift = 28; shift >= 0; shift -= 4) text += kDigits[word >> shift & 15];
+    for (int shift = 28; shift >= 0; shift -= 4) text += kHexadecimal[word >> shift & 15];
   return text;
 }
 

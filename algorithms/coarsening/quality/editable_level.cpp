@@ -99,9 +99,9 @@ std::vector<EditableLevel::Wall> EditableLevel::walls() const {
     if (a != b) walls.push_back({std::min(a, b), std::max(a, b)});
   }
   const auto ends = [](Wall wall) { return std::pair{wall.a, wall.b}; };
+  const auto are_same = [&](Wall v, Wall w) { return ends(v) == ends(w); };
   std::ranges::sort(walls, {}, ends);
-  const auto rest = std::ranges::unique(walls, {}, ends);
-  walls.erase(rest.begin(), rest.end());
+  walls.erase(std::unique(walls.begin(), walls.end(), are_same), walls.end());
   return walls;
 }
 

@@ -102,8 +102,7 @@ Result<std::vector<std::size_t>> RefinementRun::sizes() {
     for (; nodes >= stop; nodes /= options_.ratio) sizes.push_back(static_cast<std::size_t>(nodes));
   }
   std::ranges::sort(sizes, std::greater());
-  const auto rest = std::ranges::unique(sizes);
-  sizes.erase(rest.begin(), rest.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   sizes.resize(std::min(sizes.size(), options_.max_levels));
   std::ranges::reverse(sizes);
   return sizes;

@@ -246,11 +246,11 @@ double FeatureSize3::at(Point3 x) const {
 // With s = lfs(centre), what matters at x lies within lfs(x) <= s + |x - centre| of x, so within
 // s + 2 |x - centre| of the centre: within 2.2 s, for x up to 0.6 s away.
 void FeatureSize3::Cursor::explore(Point3 x, Place& place) const {
-  constexpr double kRemembered = 2.3, kReach = 0.6;
+  constexpr double kRemembered = 2.3, kExplored = 0.6;
   const double size = size_->at(x);
   place.centre = x;
   place.size = size;
-  place.reach_sq = kReach * kReach * size * size;
+  place.reach_sq = kExplored * kExplored * size * size;
   place.items.clear();
   size_->visit_by_distance(x, [&](Index number, double distance_sq) {
     if (distance_sq > kRemembered * kRemembered * size * size) return false;

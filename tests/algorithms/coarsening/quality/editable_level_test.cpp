@@ -9,6 +9,7 @@
 #include "wellspaced/algorithms/coarsening/contraction.hpp"
 #include "wellspaced/algorithms/coarsening/special_points.hpp"
 #include "wellspaced/kernel/random.hpp"
+#include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced {
 namespace {
@@ -25,9 +26,7 @@ Subject subject(TriangleMesh mesh) {
   s.special = outline_special_points(mesh, s.skeleton);
   const auto& anchors = s.skeleton.boundary.anchors;
   s.special.insert(s.special.end(), anchors.begin(), anchors.end());
-  std::ranges::sort(s.special);
-  const auto rest = std::ranges::unique(s.special);
-  s.special.erase(rest.begin(), rest.end());
+  sort_unique(s.special);
   s.mesh = std::move(mesh);
   return s;
 }
