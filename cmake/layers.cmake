@@ -12,8 +12,9 @@ function(wellspaced_private_options target)
     $<$<BOOL:${WELLSPACED_WERROR}>:-Werror>)
 endfunction()
 
-# wellspaced_compile_in(UNITS TARGET): its sources as so many files, which takes half the time of one
-# by one (-DCMAKE_UNITY_BUILD=OFF: one by one, better for edit and build); none waits for a library.
+# wellspaced_compile_in(UNITS TARGET): its sources as so many files, so that headers and instantiations
+# are compiled few times (-DCMAKE_UNITY_BUILD=OFF: one by one, better for edit and build); none waits for
+# a library.
 function(wellspaced_compile_in units target)
   if(NOT DEFINED CMAKE_UNITY_BUILD)
     get_target_property(sources ${target} SOURCES)

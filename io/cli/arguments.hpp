@@ -76,4 +76,7 @@ class Arguments {
   std::optional<Error> complaint_;
 };
 
+/// The words of a list separated by commas; a word may be empty.
+std::vector<std::string> words_of(const std::string& list);
+
 }  // namespace wellspaced::cli

@@ -94,10 +94,7 @@ constexpr std::array kMethods = {CoarseningMethod::kFunction,  CoarseningMethod:
 std::vector<CoarseningMethod> read_methods(Arguments& arguments, const std::string& otherwise) {
   const std::string text = arguments.text("--method", otherwise);
   std::vector<CoarseningMethod> methods;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string name = text.substr(begin, end - begin);
-    begin = end + 1;
+  for (const std::string& name : words_of(text)) {
     const auto found = std::ranges::find(kMethods, name, [](auto m) { return name_of(m); });
     if (found != kMethods.end() && std::ranges::count(methods, *found) == 0) {
       methods.push_back(*found);
@@ -131,16 +128,15 @@ std::vector<std::size_t> read_targets(Arguments& arguments) {
   std::vector<std::size_t> targets;
   if (!arguments.has("--targets")) return targets;
   const std::string list = arguments.text("--targets", "");
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
+  for (const std::string& word : words_of(list)) {
+    const char* const end = word.data() + word.size();
     std::uint64_t nodes = 0;
-    const auto [stop, error] = std::from_chars(list.data() + begin, list.data() + end, nodes);
-    if (error != std::errc() || stop != list.data() + end) {
+    const auto [stop, error] = std::from_chars(word.data(), end, nodes);
+    if (error != std::errc() || stop != end) {
       arguments.refuse("--targets", in_quotes(list) + " should be numbers separated by commas");
       return {};
     }
     targets.push_back(nodes);
-    begin = end + 1;
   }
   return targets;
 }
@@ -150,16 +146,13 @@ std::vector<const MatrixFormat*> read_matrix_formats(Arguments& arguments,
   std::vector<const MatrixFormat*> formats;
   const std::string list = arguments.text("--transfers", otherwise);
   if (list == "none") return formats;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    const std::string name = list.substr(begin, end - begin);
+  for (const std::string& name : words_of(list)) {
     const MatrixFormat* format = find_matrix_format(name);
     if (format == nullptr) {
       arguments.refuse("--transfers", in_quotes(name) + " should be mtx, petsc, npz or none");
       return {};
     }
     if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
-    begin = end + 1;
   }
   return formats;
 }
