@@ -6,6 +6,7 @@
 #include "wellspaced/algorithms/packing/triangle_packing.hpp"
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
+#include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
 namespace {
@@ -20,7 +21,8 @@ struct QuadCell {
 // The quadtree over one triangle: looks for a place in it where a ball fits.
 class RoomSearch {
  public:
-  RoomSearch(TrianglePacking& packing, Index triangle) : packing_(packing), triangle_(triangle) {}
+  RoomSearch(TrianglePacking& packing, Index triangle, Random& random)
+      : packing_(packing), triangle_(triangle), random_(random) {}
 
   // Returns the new vertex; kNoIndex if there is no room, to within the smallest cell.
   Index run();
@@ -29,6 +31,7 @@ class RoomSearch {
   static constexpr double kSmallestCell = 0x1p-12;  // in radii
 
   bool misses(const QuadCell& cell) const;
+  Index try_cell(const QuadCell& cell);
   bool is_full(const QuadCell& cell, double least_radius) const;
   bool covers(Index v, const QuadCell& cell, double least_radius) const;
   bool protects(Delaunay2::Edge e, const QuadCell& cell) const;
@@ -36,6 +39,7 @@ class RoomSearch {
 
   TrianglePacking& packing_;
   Index triangle_;
+  Random& random_;
   std::vector<QuadCell> cells_;
 };
 
@@ -67,6 +71,8 @@ bool RoomSearch::protects(Delaunay2::Edge e, const QuadCell& cell) const {
 
 // Looks at the corners and edges of the triangle and of those beside it.
 bool RoomSearch::is_full(const QuadCell& cell, double least_radius) const {
+  const double must_be_far = 2 * least_radius - cell.half_diagonal();
+  if (must_be_far > 0 && !packing_.stays_far(cell.centre, must_be_far)) return true;
   const Triangulation2& topology = packing_.delaunay().topology();
   for (unsigned i = 0; i < 3; ++i) {
     const Delaunay2::Edge e{triangle_, i}, m = topology.mirror(e);
@@ -87,6 +93,19 @@ void RoomSearch::split(const QuadCell& cell) {
       cells_.push_back({{cell.centre.x + dx, cell.centre.y + dy}, half});
 }
 
+// Adds a ball around the centre, or, for points in general position, somewhere near it.
+Index RoomSearch::try_cell(const QuadCell& cell) {
+  Point2 p = cell.centre;
+  if (packing_.placement() == BallPlacement::kGeneric) {
+    p.x += random_.uniform(-cell.half_side, cell.half_side) / 2;
+    p.y += random_.uniform(-cell.half_side, cell.half_side) / 2;
+  }
+  if (packing_.walk(triangle_, p).triangle != triangle_) return kNoIndex;
+  const double radius = packing_.radius_at(p);
+  if (!packing_.stays_far(p, 2 * radius)) return kNoIndex;
+  return packing_.add_ball(p, triangle_, radius);
+}
+
 Index RoomSearch::run() {
   const auto& [a, b, c] = packing_.delaunay().topology().vertices(triangle_);
   const Box2 box =
@@ -100,9 +119,7 @@ Index RoomSearch::run() {
     if (misses(cell)) continue;
     const double radius = packing_.radius_at(cell.centre);
     if (is_full(cell, radius - slope * cell.half_diagonal())) continue;
-    const Index t = packing_.walk(triangle_, cell.centre).triangle;
-    if (t == triangle_)
-      if (const Index v = packing_.add_ball(cell.centre, t, radius); v != kNoIndex) return v;
+    if (const Index v = try_cell(cell); v != kNoIndex) return v;
     if (cell.half_side > kSmallestCell * radius) split(cell);
   }
   return kNoIndex;
@@ -115,12 +132,13 @@ std::size_t fill_completely(TrianglePacking& packing, const std::function<bool()
   std::vector<std::pair<Index, TrianglePacking::Corners>> waiting;
   for (Index t = 0; t < topology.size(); ++t)
     if (packing.is_inside(t)) waiting.emplace_back(t, topology.vertices(t));
+  Random random(2);
   std::size_t added = 0;
   while (!waiting.empty() && !stop()) {
     const auto [t, corners] = waiting.back();
     waiting.pop_back();
     if (topology.vertices(t) != corners) continue;
-    const Index v = RoomSearch(packing, t).run();
+    const Index v = RoomSearch(packing, t, random).run();
     if (v == kNoIndex) continue;
     ++added;
     const Delaunay2::Edge first = packing.delaunay().edge_from(v);

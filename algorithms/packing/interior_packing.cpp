@@ -184,7 +184,7 @@ void InteriorPacking::try_ball(const Waiting& waiting) {
 Index InteriorPacking::put_ball(const Waiting& waiting, Point2 centre, double radius) {
   const Index t = packing_.walk(waiting.triangle, centre).triangle;
   if (t == kNoIndex) return t;
-  if (options_.may_add && !options_.may_add(centre, radius)) return kNoIndex;
+  if (!packing_.stays_far(centre, 2 * radius)) return kNoIndex;
   return packing_.add_ball(centre, t, radius);
 }
 

@@ -39,11 +39,12 @@ struct Zone {
 /// smallest_angle_deg: triangles with smaller angles are cut, too, by points nearer together than
 ///   their balls; 0: none are. Up to 20.7 this is proven to end with no such triangle where the
 ///   boundary's angles are at least 60 degrees; it always ends, and up to 30 it seldom leaves one.
-/// may_add: a further rule for new balls, by centre and radius; empty: there is none.
+/// is_far: whether a point is at least a distance, > 0, from what balls must keep twice their
+///   radius away from; empty: there is no such thing.
 /// max_points: where to stop.
 struct InteriorOptions {
   BallRadius radius;
-  std::function<bool(Point2, double)> may_add;
+  std::function<bool(Point2, double)> is_far;
   double slope = std::numeric_limits<double>::infinity();
   std::function<Zone(Point2)> zone_at;
   double smallest_angle_deg = 25;

@@ -29,6 +29,10 @@ class TrianglePacking {
   double radius(Index v) const { return radius_[v]; }
   double radius_at(Point2 p) const { return options_->radius(p); }
   double slope() const { return options_->slope; }
+  BallPlacement placement() const { return options_->placement; }
+  bool stays_far(Point2 p, double distance) const {
+    return !options_->is_far || options_->is_far(p, distance);
+  }
   bool is_inside(Index t) const { return zones_[zone_of_[t]].is_inside; }
   const Zone& zone(Index t) const { return zones_[zone_of_[t]]; }
   Circle circle_of(const Corners& corners) const {
@@ -97,10 +101,10 @@ class TrianglePacking {
   std::vector<Index> zone_of_;  // for each triangle
 };
 
-/// Adds points until none fits anywhere: candidates are the centres of the cells of quadtrees,
-/// one over each triangle, which are split until a ball or a protective circle proves each cell
-/// full, or it is smaller than 2^-12 of the radius there. Returns the number of points added;
-/// `stop` is asked now and then.
+/// Adds points until none fits anywhere: candidates are the centres of the cells of quadtrees, one
+/// over each triangle, or places near them if balls are to be kGeneric. Cells are split until a
+/// ball, a protective circle or what balls stay far from proves them full, or they are smaller than
+/// 2^-12 of the radius there. Returns the number of points added; `stop` is asked now and then.
 std::size_t fill_completely(TrianglePacking& packing, const std::function<bool()>& stop);
 
 }  // namespace wellspaced

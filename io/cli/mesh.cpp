@@ -65,9 +65,7 @@ PackingOptions read_packing_options(Arguments& arguments, const Geometry& input)
   PackingOptions options;
   options.beta = arguments.number("--beta", options.beta, at_least(2));
   options.smallest_angle_deg = smallest_angle(arguments);
-  options.maximality = arguments.choice("--maximal", 0, {"delaunay", "full"}) == 0
-                           ? Maximality::kDelaunay
-                           : Maximality::kFull;
+  options.maximality = maximality_of(arguments);
   options.max_points = static_cast<std::size_t>(
       arguments.integer("--max-points", 1 << 26, between(1, kMostMeshPoints)));
   if (arguments.has("--allow-small-angles")) options.sharp_corners = SharpCorners::kMesh;
@@ -174,7 +172,7 @@ JsonWriter mesh_json(const PackedMesh& packed, const Geometry& input, const Mesh
   json.field("boundary_edges", packed.mesh.segments.size());
   json.field("balls_packed", packed.balls_packed);
   json.field("beta", run.options.beta).field("smallest_angle", run.options.smallest_angle_deg);
-  json.field("maximal", run.options.maximality == Maximality::kFull ? "full" : "delaunay");
+  json.field("maximal", name_of(run.options.maximality));
   json.key("angles").begin_object();
   optional_angle(json, "interior_min", angles.interior_min_deg);
   optional_angle(json, "boundary_min", angles.boundary_min_deg);

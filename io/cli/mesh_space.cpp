@@ -31,10 +31,9 @@ PackingOptions3 read_options(Arguments& arguments) {
   constexpr double kMostPoints = 1 << 28, kLargestFlatness = 0.001;
   for (const char* name : {"--angle", "--allow-small-angles", "--holes", "--intersections"})
     if (arguments.has(name)) arguments.refuse(name, "is for domains in the plane");
-  if (arguments.choice("--maximal", 0, {"delaunay", "full"}) == 1)
-    arguments.refuse("--maximal", "can be full only in the plane");
   PackingOptions3 options;
   options.beta = beta_of(arguments);
+  options.maximality = maximality_of(arguments);
   options.flatness = arguments.number("--flatness", options.flatness, between(0, kLargestFlatness));
   options.max_points =
       static_cast<std::size_t>(arguments.integer("--max-points", 1 << 26, between(1, kMostPoints)));
@@ -91,6 +90,15 @@ Geometry packed_solid(PackedTets& packed, const Geometry& input) {
 
 }  // namespace
 
+Maximality maximality_of(Arguments& arguments) {
+  constexpr std::array kChoices = {Maximality::kDelaunay, Maximality::kFull};
+  return kChoices[arguments.choice("--maximal", 0, {"delaunay", "full"})];
+}
+
+const char* name_of(Maximality maximality) {
+  return maximality == Maximality::kFull ? "full" : "delaunay";
+}
+
 std::optional<std::string> spacing_file(const Arguments& arguments, const CommonOptions& common) {
   if (const auto path = arguments.value("--spacing")) return std::string(*path);
   const bool is_set = !common.output.empty() && common.output != "-" &&
@@ -129,8 +137,9 @@ void input_fields(JsonWriter& json, const Geometry& input) {
   json.field("segments", input.solid.segments.size()).end_object();
 }
 
-JsonWriter space_json(const PackedTets& packed, const Geometry& input, double beta,
-                      const ShapeSummary& shape, const Times& times) {
+JsonWriter space_json(const PackedTets& packed, const Geometry& input,
+                      const PackingOptions3& options, const ShapeSummary& shape,
+                      const Times& times) {
   JsonWriter json;
   json.begin_object();
   input_fields(json, input);
@@ -140,9 +149,13 @@ JsonWriter space_json(const PackedTets& packed, const Geometry& input, double be
   json.field("boundary_edges", packed.mesh.segments.size());
   json.field("segment_points", packed.segment_points);
   json.field("facet_points", packed.facet_points).field("balls_packed", packed.balls_packed);
-  json.field("beta", beta).key("radius_edge").begin_object().field("max", shape.radius_edge);
+  json.field("maximal", name_of(options.maximality));
+  json.field("beta", options.beta)
+      .key("radius_edge")
+      .begin_object()
+      .field("max", shape.radius_edge);
   json.key("bound");
-  if (const auto bound = radius_edge_bound(beta)) {
+  if (const auto bound = radius_edge_bound(options.beta)) {
     json.value(*bound);
   } else {
     json.null();
@@ -203,7 +216,7 @@ Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseT
   if (!written) return written.error();
   times.write = writing.elapsed();
   const ShapeSummary shape = shape_summary(packed->mesh);
-  if (Status status = session.write_json(space_json(*packed, input, options.beta, shape, times));
+  if (Status status = session.write_json(space_json(*packed, input, options, shape, times));
       !status)
     return status.error();
   session.print(space_text(*packed, options.beta, shape));

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "wellspaced/algorithms/packing/interior_packing.hpp"
 #include "wellspaced/io/cli/arguments.hpp"
 #include "wellspaced/io/cli/session.hpp"
 #include "wellspaced/io/cli/stopwatch.hpp"
@@ -16,6 +17,10 @@ namespace wellspaced::cli {
 /// What partial meshes are marked with.
 inline constexpr std::string_view kIncompleteMesh =
     "incomplete: a limit was hit before the mesh was done";
+
+/// What --maximal says, and its name.
+Maximality maximality_of(Arguments& arguments);
+const char* name_of(Maximality maximality);
 
 /// Where the spacing function goes: to the file named, or beside Triangle's files.
 std::optional<std::string> spacing_file(const Arguments& arguments, const CommonOptions& common);

@@ -140,6 +140,7 @@ Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& o
   SurfaceOptions surface_options;
   surface_options.radius = radius_function(features, options);
   surface_options.slope = slope_of(options);
+  surface_options.maximality = options.maximality;
   surface_options.max_points = options.max_points;
   surface_options.progress = options.progress;
   const auto surface = pack_surface(*complex, surface_options);
@@ -148,6 +149,7 @@ Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& o
   SolidOptions solid_options;
   solid_options.radius = surface_options.radius;
   solid_options.slope = surface_options.slope;
+  solid_options.maximality = options.maximality;
   solid_options.holes = domain.holes;
   for (const Pls::Region& region : domain.regions) solid_options.seeds.push_back(region.seed);
   solid_options.max_points = options.max_points;

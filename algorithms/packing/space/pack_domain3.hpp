@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "wellspaced/algorithms/packing/coplanar_facets.hpp"
+#include "wellspaced/algorithms/packing/interior_packing.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
@@ -24,12 +25,14 @@ using SizeFunction3 = std::function<double(Point3)>;
 /// size_slope: the size grows by at most this much per unit of length; infinite if nothing is
 /// known.
 ///   Only up to 2 / beta is there a guarantee.
+/// maximality: until no circumcentre, or no point at all, can be added to a facet or solid.
 /// flatness: the tolerance for planes and right angles; 0 to 0.001.
 /// max_points: where to stop.
 struct PackingOptions3 {
   double beta = 10;
   SizeFunction3 size;
   double size_slope = std::numeric_limits<double>::infinity();
+  Maximality maximality = Maximality::kDelaunay;
   double flatness = kFlatness;
   std::size_t max_points = std::size_t{1} << 26;
   Progress progress;
@@ -65,8 +68,8 @@ struct PackedTets {
 };
 
 /// Meshes a piecewise linear system by increasing dimension: its points, then each segment, each
-/// facet in its plane, and the solids, each packed with balls until no circumcentre has room for
-/// one.
+/// facet in its plane, and the solids, each packed with balls until no circumcentre, or no place at
+/// all, has room for one.
 ///
 /// The mesh is Delaunay, all facets and segments are unions of its faces and edges, and every
 /// circumcentre lies in its solid. Circumradius / shortest edge is at most radius_edge_bound(beta),

@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "wellspaced/algorithms/packing/space/room_search3.hpp"
 #include "wellspaced/algorithms/packing/space/surface_index.hpp"
+#include "wellspaced/algorithms/packing/space/tet_sphere.hpp"
 #include "wellspaced/kernel/sort_unique.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
@@ -32,18 +34,8 @@ void add_far_points(std::vector<Point3>& points) {
                       middle.z + (i & 4 ? reach : -reach)});
 }
 
-struct Circumsphere {
-  Point3 centre;
-  double radius = 0;
-};
-
-// Infinite or NaN for a flat tet; nothing is decided by it that would break the triangulation.
-Circumsphere sphere_of(Point3 a, Point3 b, Point3 c, Point3 d) {
-  const Point3 u = b - a, v = c - a, w = d - a;
-  const Point3 vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
-  const double scale = 0.5 / dot(u, vw);
-  const Point3 offset = scale * (dot(u, u) * vw + dot(v, v) * wu + dot(w, w) * uv);
-  return {a + offset, length(offset)};
+Error no_radius() {
+  return {ErrorCode::kUsage, "the spacing is not positive inside the domain", {}};
 }
 
 template <class Test>
@@ -91,8 +83,11 @@ class SolidPacking {
   bool is_solid(Index t) const { return solids_[region_of_[t]].is_inside; }
 
   bool keep_going();
-  Status try_tet(Index t);
-  Status try_ball(Index t, const Circumsphere& sphere, double radius, bool is_certain);
+  void push_all();
+  Status drain();
+  Result<bool> try_circumcentre(Index t);
+  Result<bool> try_everywhere(Index t, RoomSearch3& search);
+  Result<bool> try_ball(Index t, const Sphere& ball, bool is_certain);
   bool is_protected(const Tet& corners, Point3 p) const;
   void push(Index t) {
     if (waits_[t]) return;
@@ -120,7 +115,7 @@ class SolidPacking {
   std::vector<std::uint8_t> waits_;
   std::vector<Index> waiting_;
   std::size_t balls_packed_ = 0, steps_ = 0;
-  bool is_complete_ = true, was_cancelled_ = false;
+  bool fills_ = false, is_complete_ = true, was_cancelled_ = false;
 };
 
 // ---- The start -----------------------------------------------------------------------------
@@ -284,14 +279,29 @@ bool SolidPacking::keep_going() {
 }
 
 Status SolidPacking::run() {
+  push_all();
+  if (Status status = drain(); !status) return status;
+  if (options_.maximality == Maximality::kDelaunay) return Ok{};
+  fills_ = true;
+  push_all();
+  return drain();
+}
+
+void SolidPacking::push_all() {
   for (Index t = topology().size(); t-- > 0;)
     if (is_solid(t)) push(t);
+}
+
+Status SolidPacking::drain() {
+  RoomSearch3 search({delaunay_, radius_, index_, options_.radius, options_.slope});
   while (!waiting_.empty() && keep_going()) {
     const Index t = waiting_.back();
     waiting_.pop_back();
     if (t >= topology().size() || !waits_[t]) continue;
     waits_[t] = 0;
-    if (Status status = try_tet(t); !status) return status;
+    Result<bool> is_done = try_circumcentre(t);
+    if (is_done && !*is_done && fills_) is_done = try_everywhere(t, search);
+    if (!is_done) return is_done.error();
   }
   return Ok{};
 }
@@ -300,28 +310,37 @@ Status SolidPacking::run() {
 // corners, R away, and where the radius grows by at most `slope`, one at the distance L has a ball
 // of at most r + slope L. So the radius r need not be asked for where even the least that it can be
 // is too much; and no other vertex need be looked at where 2 r <= (1 - slope) R.
-Status SolidPacking::try_tet(Index t) {
+Result<bool> SolidPacking::try_circumcentre(Index t) {
   const Tet& corners = topology().vertices(t);
-  const Circumsphere sphere =
-      sphere_of(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
+  const Sphere sphere =
+      tet_sphere(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
   double largest = 0;
   for (const Index v : corners) largest = std::max(largest, radius_[v]);
-  if (!(largest < sphere.radius) || !std::isfinite(sphere.radius)) return Ok{};
-  if (2 * largest - options_.slope * sphere.radius > sphere.radius) return Ok{};
-  const double radius = options_.radius(sphere.centre);
-  if (!(radius > 0))
-    return Error{ErrorCode::kUsage, "the spacing is not positive inside the domain", {}};
-  if (radius + largest > sphere.radius) return Ok{};
+  if (!(largest < sphere.radius) || !std::isfinite(sphere.radius)) return false;
+  if (2 * largest - options_.slope * sphere.radius > sphere.radius) return false;
+  const double radius = options_.radius(sphere.center);
+  if (!(radius > 0)) return no_radius();
+  if (radius + largest > sphere.radius) return false;
   const bool is_certain = 2 * radius <= sphere.radius * (1 - options_.slope);
-  return try_ball(t, sphere, radius, is_certain);
+  return try_ball(t, {sphere.center, radius}, is_certain);
 }
 
-Status SolidPacking::try_ball(Index t, const Circumsphere& sphere, double radius, bool is_certain) {
+Result<bool> SolidPacking::try_everywhere(Index t, RoomSearch3& search) {
+  Result<bool> is_taken = false;
+  search.run(t, [&](Point3 place, double radius) {
+    is_taken = radius > 0 ? try_ball(t, {place, radius}, false) : no_radius();
+    return !is_taken || *is_taken;
+  });
+  return is_taken;
+}
+
+// Adds the centre of a ball, which lies in the circumsphere of tet t, unless the ball meets others.
+Result<bool> SolidPacking::try_ball(Index t, const Sphere& ball, bool is_certain) {
   const Index region = region_of_[t];
-  const Point3 p = sphere.centre;
+  const Point3 p = ball.center;
   const auto meets_ball = [&](Index w) {
     const Point3 way = p - point(w);
-    const double reach = radius + radius_[w];
+    const double reach = ball.radius + radius_[w];
     return dot(way, way) < reach * reach;
   };
   const auto accepts = [&](const Triangulation3::Cavity& cavity) {
@@ -332,31 +351,18 @@ Status SolidPacking::try_ball(Index t, const Circumsphere& sphere, double radius
   };
   const auto v = delaunay_.insert_if(p, t, accepts);
   if (!v) return v.error();
-  if (*v == kNoIndex) return Ok{};
-  radius_.push_back(radius);
+  if (*v == kNoIndex) return false;
+  radius_.push_back(ball.radius);
   ++balls_packed_;
   follow_change(*v, region);
-  return Ok{};
+  return true;
 }
 
 // Whether p is in the protective sphere of a face or edge of a tet that it would remove. There are
 // no others: such a sphere lies within those of the tets around the face or edge together.
 bool SolidPacking::is_protected(const Tet& corners, Point3 p) const {
-  std::array<Index, 4> on{};
-  std::size_t count = 0;
-  for (const Index v : corners)
-    if (index_.is_on_surface(v)) on[count++] = v;
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      if (const Index piece = index_.piece(on[i], on[j]);
-          piece != kNoIndex && index_.sphere_of_piece(piece).holds(p))
-        return true;
-      for (std::size_t k = 0; k < j; ++k)
-        if (const Index triangle = index_.triangle(on[i], on[j], on[k]);
-            triangle != kNoIndex && index_.sphere_of_triangle(triangle).holds(p))
-          return true;
-    }
-  return false;
+  return index_.any_sphere(corners,
+                           [&](const ProtectiveSphere& sphere) { return sphere.holds(p); });
 }
 
 void SolidPacking::follow_change(Index v, Index region) {

@@ -15,11 +15,13 @@
 
 namespace wellspaced {
 
-/// radius, slope, max_points: as in SurfaceOptions. holes: one point in each solid to leave out.
-/// seeds: one point in each solid that has a number, its own in the list; the first counts.
+/// radius, slope, maximality, max_points: as in SurfaceOptions. holes: one point in each solid to
+/// leave out. seeds: one point in each solid that has a number, its own in the list; the first
+/// counts.
 struct SolidOptions {
   BallRadius3 radius;
   double slope = 0;
+  Maximality maximality = Maximality::kDelaunay;
   std::vector<Point3> holes, seeds;
   std::size_t max_points = std::size_t{1} << 26;
   Progress progress;

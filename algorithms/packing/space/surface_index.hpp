@@ -36,10 +36,10 @@ class SurfaceIndex {
 
   /// Whether a triangle or piece may start in vertex v: corners are asked for in vain else.
   bool is_on_surface(Index v) const { return v < surface_vertices_; }
-  const ProtectiveSphere& sphere_of_triangle(Index triangle) const {
-    return triangle_spheres_[triangle];
-  }
-  const ProtectiveSphere& sphere_of_piece(Index piece) const { return piece_spheres_[piece]; }
+
+  /// Whether `test` holds for the protective sphere of a face or edge of a tet.
+  template <class Test>
+  bool any_sphere(const std::array<Index, 4>& corners, Test test) const;
 
  private:
   template <std::size_t N>
@@ -59,5 +59,23 @@ class SurfaceIndex {
   Table<1> pieces_;
   std::vector<ProtectiveSphere> triangle_spheres_, piece_spheres_;
 };
+
+template <class Test>
+bool SurfaceIndex::any_sphere(const std::array<Index, 4>& corners, Test test) const {
+  std::array<Index, 4> on{};
+  std::size_t count = 0;
+  for (const Index v : corners)
+    if (is_on_surface(v)) on[count++] = v;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Index edge = piece(on[i], on[j]);
+      if (edge != kNoIndex && test(piece_spheres_[edge])) return true;
+      for (std::size_t k = 0; k < j; ++k) {
+        const Index face = triangle(on[i], on[j], on[k]);
+        if (face != kNoIndex && test(triangle_spheres_[face])) return true;
+      }
+    }
+  return false;
+}
 
 }  // namespace wellspaced

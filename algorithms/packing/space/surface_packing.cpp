@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "wellspaced/algorithms/packing/interior_packing.hpp"
 #include "wellspaced/algorithms/packing/segment_packing.hpp"
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
@@ -122,8 +121,7 @@ std::function<bool(Point2, double)> SurfacePacking::staying_far(
                     facet.frame.coordinates(complex_.points[complex_.segments[s].b])});
     boxes.push_back(Box2::around(ends.back()));
   }
-  return [ends = std::move(ends), tree = BoxTree(std::move(boxes))](Point2 p, double radius) {
-    const double far = 2 * radius;
+  return [ends = std::move(ends), tree = BoxTree(std::move(boxes))](Point2 p, double far) {
     bool is_far = true;
     tree.for_each_meeting({{p.x - far, p.y - far}, {p.x + far, p.y + far}}, [&](std::size_t i) {
       is_far = is_far && distance_to_segment(p, ends[i][0], ends[i][1]) >= far;
@@ -166,10 +164,11 @@ Status SurfacePacking::pack_facet(Index f) {
     if (!(radius > 0)) bad_place_ = facet.frame.point(p);
     return radius > 0 ? radius : std::numeric_limits<double>::infinity();
   };
-  interior.may_add = staying_far(facet);
+  interior.is_far = staying_far(facet);
   interior.slope = options_.slope;
   interior.zone_at = zones_over(complex_, facet);
   interior.smallest_angle_deg = 0;
+  interior.maximality = options_.maximality;
   interior.placement = BallPlacement::kGeneric;
   interior.max_points = boundary.points.size() + room();
   interior.progress = options_.progress;

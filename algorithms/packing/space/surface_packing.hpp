@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "wellspaced/algorithms/packing/interior_packing.hpp"
 #include "wellspaced/algorithms/packing/space/polyhedral_complex.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/progress.hpp"
@@ -32,10 +33,12 @@ struct PackedSurface {
 };
 
 /// radius: of the balls. slope: it grows by at most this much per unit of length.
+/// maximality: of facets; segments are packed so that nothing can be added.
 /// max_points: the most points there may be.
 struct SurfaceOptions {
   BallRadius3 radius;
   double slope = 0;
+  Maximality maximality = Maximality::kDelaunay;
   std::size_t max_points = std::size_t{1} << 26;
   Progress progress;
 };

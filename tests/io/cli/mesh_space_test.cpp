@@ -126,7 +126,7 @@ TEST(MeshCommandInSpace, RefusesOptionsForThePlane) {
   const TemporaryDirectory directory;
   const std::string domain = directory.write("cube.smesh", cube());
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--angle", "20"},
-                                                  {"--maximal", "full"},
+                                                  {"--maximal", "most"},
                                                   {"--beta", "3"},
                                                   {"--radius-edge", "2"},
                                                   {"--beta", "12", "--radius-edge", "5"},

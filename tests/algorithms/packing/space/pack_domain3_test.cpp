@@ -8,6 +8,7 @@
 
 #include "tests/support/solids.hpp"
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
+#include "wellspaced/kernel/random.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -121,6 +122,84 @@ TEST(PackDomain3, NeedsAsManyNodesAsTheLocalFeatureSizeSays) {
     RecordProperty(std::string("constant of ") + name, std::to_string(constant));
     EXPECT_GT(constant, 0.08);
     EXPECT_LT(constant, 0.2);
+  }
+}
+
+// Whether a ball around a place of the unit cube or its bottom would touch no other, and the place
+// is in no protective sphere, by looking at all of them.
+class Room {
+ public:
+  explicit Room(const PackedTets& packed) : packed_(packed) {
+    const auto& p = packed.mesh.points;
+    for (const Segment& s : packed.mesh.segments) guard(0.5 * (p[s.a] + p[s.b]), p[s.a]);
+    for (const auto& [corners, marker] : packed.mesh.facets) {
+      const Point3 a = p[corners[0]], u = p[corners[1]] - a, v = p[corners[2]] - a, n = cross(u, v);
+      guard(a + (0.5 / dot(n, n)) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u)), a);
+    }
+  }
+
+  bool is_beside_balls(Point3 x, double radius) const {
+    for (std::size_t v = 0; v < packed_.radius.size(); ++v)
+      if (length(x - packed_.mesh.points[v]) < radius + packed_.radius[v]) return false;
+    return true;
+  }
+  bool is_unprotected(Point3 x, std::size_t guards) const {
+    for (std::size_t k = 0; k < guards; ++k)
+      if (length(x - centres_[k]) < radii_[k]) return false;
+    return true;
+  }
+  bool in_cube(Point3 x) const {
+    return is_beside_balls(x, size_of(x)) && is_unprotected(x, radii_.size());
+  }
+  bool on_bottom(Point3 x) const {
+    const double radius = size_of(x);
+    return std::min({x.x, 1 - x.x, x.y, 1 - x.y}) >= 2 * radius && is_beside_balls(x, radius) &&
+           is_unprotected(x, packed_.mesh.segments.size());
+  }
+
+ private:
+  void guard(Point3 centre, Point3 on) {
+    centres_.push_back(centre);
+    radii_.push_back(length(on - centre));
+  }
+  static double size_of(Point3 p) {
+    return std::min({std::max(p.x, 1 - p.x), std::max(p.y, 1 - p.y), std::max(p.z, 1 - p.z)}) / 10;
+  }
+  const PackedTets& packed_;
+  std::vector<Point3> centres_;
+  std::vector<double> radii_;
+};
+
+// The number of places with room in the cube and on its bottom, of 20,000 each.
+std::array<int, 2> places_with_room(const PackedTets& mesh) {
+  const Room room(mesh);
+  Random random(7);
+  std::array<int, 2> found{};
+  for (int k = 0; k < 20000; ++k) {
+    const double x = random.uniform(), y = random.uniform();
+    found[0] += room.in_cube({x, y, random.uniform()});
+    found[1] += room.on_bottom({x, y, 0});
+  }
+  return found;
+}
+
+// Figure 4.3, B, without the relaxation.
+TEST(PackDomain3, LeavesNoRoomAnywhereIfAskedTo) {
+  PackingOptions3 options;
+  const std::array<int, 2> with_room = places_with_room(packed(test::unit_cube(), options));
+  EXPECT_GT(with_room[0], 0);
+  EXPECT_GT(with_room[1], 10);
+  options.maximality = Maximality::kFull;
+  EXPECT_EQ(places_with_room(packed(test::unit_cube(), options)), (std::array{0, 0}));
+}
+
+TEST(PackDomain3, KeepsItsPromisesWhenPackedInFull) {
+  PackingOptions3 options;
+  options.maximality = Maximality::kFull;
+  for (const Pls& domain : {test::unit_cube(), test::turned(test::unit_cube())}) {
+    const PackedTets mesh = packed(domain, options);
+    expect_promises(mesh, domain, 10);
+    expect_independence(mesh);
   }
 }
 
