@@ -10,12 +10,12 @@
 #include "wellspaced/algorithms/packing/background_size.hpp"
 #include "wellspaced/algorithms/packing/pack_domain.hpp"
 #include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/cli/mesh_size.hpp"
 #include "wellspaced/io/cli/mesh_space.hpp"
 #include "wellspaced/io/cli/stopwatch.hpp"
 #include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
-#include "wellspaced/io/text/numbers.hpp"
 #include "wellspaced/kernel/angle.hpp"
 
 namespace wellspaced::cli {
@@ -77,28 +77,13 @@ PackingOptions read_packing_options(Arguments& arguments, const Geometry& input)
   return options;
 }
 
-// --size: a number, or a file of points with sizes.
-Status read_size(const Arguments& arguments, Session& session, PackingOptions& options) {
-  const auto value = arguments.value("--size");
-  if (!value) return Ok{};
-  const ParsedNumber number = parse_number(*value);
-  if (number.status == NumberStatus::kOk) {
-    if (!(number.value > 0)) return Error{ErrorCode::kUsage, "mesh: --size must be positive", {}};
-    options.size = [size = number.value](Point2) { return size; };
-    return Ok{};
-  }
-  const auto background = read_geometry(*value, session.reading());
-  if (!background) return background.error();
-  const Attributes& attributes = background->point_attributes;
-  if (background->dimension != 2 || attributes.columns == 0)
-    return Error{ErrorCode::kUsage,
-                 display_name(*value) + ": points in the plane with an attribute, the size",
-                 {}};
-  std::vector<double> sizes(background->mesh.points.size());
-  for (std::size_t v = 0; v < sizes.size(); ++v)
-    sizes[v] = attributes.values[v * attributes.columns];
-  auto size = BackgroundSize::build(background->mesh.points, sizes);
-  if (!size) return in_file(size.error(), *value);
+Status add_size(const Arguments& arguments, Session& session, PackingOptions& options) {
+  const auto wanted = read_size(2, arguments, session);
+  if (!wanted) return wanted.error();
+  if (wanted->constant > 0) options.size = [size = wanted->constant](Point2) { return size; };
+  if (wanted->sizes.empty()) return Ok{};
+  auto size = BackgroundSize::build(wanted->background.mesh.points, wanted->sizes);
+  if (!size) return in_file(size.error(), std::string(*arguments.value("--size")));
   options.size = std::move(*size);
   return Ok{};
 }
@@ -209,7 +194,7 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   run.options = read_packing_options(arguments, *input);
   if (Status status = arguments.status(); !status)
     return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};
-  if (Status status = read_size(arguments, session, run.options); !status) return status.error();
+  if (Status status = add_size(arguments, session, run.options); !status) return status.error();
   run.options.progress = session.progress();
 
   const MemoryGauge memory;

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "wellspaced/algorithms/audit/tet_shape.hpp"
+#include "wellspaced/algorithms/packing/space/background_size3.hpp"
 #include "wellspaced/algorithms/packing/space/pack_domain3.hpp"
 #include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/cli/mesh_size.hpp"
 #include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
@@ -37,12 +39,28 @@ PackingOptions3 read_options(Arguments& arguments) {
   options.flatness = arguments.number("--flatness", options.flatness, between(0, kLargestFlatness));
   options.max_points =
       static_cast<std::size_t>(arguments.integer("--max-points", 1 << 26, between(1, kMostPoints)));
-  if (arguments.has("--size")) {
-    const double size = arguments.number("--size", 1, more_than(0));
-    options.size = [size](Point3) { return size; };
+  return options;
+}
+
+// Sizes of a file are lowered as far as the guarantee wants it; where they do not cover the domain
+// there is none.
+Status add_size_in_space(const Arguments& arguments, const Geometry& domain, Session& session,
+                         PackingOptions3& options) {
+  const auto wanted = read_size(3, arguments, session);
+  if (!wanted) return wanted.error();
+  if (wanted->constant > 0) {
+    options.size = [size = wanted->constant](Point3) { return size; };
     options.size_slope = 0;
   }
-  return options;
+  if (wanted->sizes.empty()) return Ok{};
+  auto size =
+      BackgroundSize3::build(wanted->background.solid.points, wanted->sizes, 2 / options.beta);
+  if (!size) return in_file(size.error(), std::string(*arguments.value("--size")));
+  const auto covers = [&](Point3 p) { return size->covers(p); };
+  const std::vector<Point3>& points = domain.solid.points;
+  if (std::all_of(points.begin(), points.end(), covers)) options.size_slope = size->steepest();
+  options.size = std::move(*size);
+  return Ok{};
 }
 
 // ---- What came out -------------------------------------------------------------------------
@@ -197,6 +215,8 @@ Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseT
   PackingOptions3 options = read_options(arguments);
   if (Status status = arguments.status(); !status)
     return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};
+  if (Status status = add_size_in_space(arguments, input, session, options); !status)
+    return status.error();
   options.progress = session.progress();
   Times times;
   times.read = reading;

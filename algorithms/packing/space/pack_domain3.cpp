@@ -16,6 +16,7 @@ namespace wellspaced {
 namespace {
 
 constexpr double kLeastBeta = 9.8284271247461900976;  // 7 + 2 sqrt 2
+constexpr double kSlopeRounding = 1e-9;               // of a slope that was computed
 
 Status check_packing_options(const PackingOptions3& options) {
   if (!(options.beta > 3) || !std::isfinite(options.beta))
@@ -86,6 +87,15 @@ void describe_outside(const PolyhedralComplex& complex, const PackedSurface& sur
     notes.push_back(std::to_string(outside) + " points are in no solid and left out");
   if (packed.mesh.segments.size() < surface.pieces.size())
     notes.push_back("segments, or parts of them, are in no solid and left out");
+}
+
+void describe_regions(const std::vector<Pls::Region>& regions, std::vector<std::string>& notes) {
+  const auto limited = std::count_if(regions.begin(), regions.end(),
+                                     [](const Pls::Region& r) { return r.max_volume > 0; });
+  if (limited > 0)
+    notes.push_back("the largest volumes of tets that " + std::to_string(limited) +
+                    (limited == 1 ? " region wants" : " regions want") +
+                    " are not kept: lower the size instead");
 }
 
 // ---- Scale ---------------------------------------------------------------------------------
@@ -160,7 +170,8 @@ Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& o
   PackedTets packed = finish_tets(domain, *complex, *surface, std::move(*solids));
   packed.notes = complex->notes;
   describe_outside(*complex, *surface, packed, packed.notes);
-  if (options.size && slope_of(options) > 1 / options.beta)
+  describe_regions(domain.regions, packed.notes);
+  if (options.size && slope_of(options) > 1 / options.beta * (1 + kSlopeRounding))
     packed.notes.push_back("no guarantee: the size is not known to grow by 2 / beta at most");
   if (!(options.beta > kLeastBeta))
     packed.notes.push_back("no guarantee: beta is not above 7 + 2 sqrt 2 = 9.83");

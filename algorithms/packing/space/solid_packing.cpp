@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "wellspaced/algorithms/packing/space/far_points.hpp"
 #include "wellspaced/algorithms/packing/space/room_search3.hpp"
 #include "wellspaced/algorithms/packing/space/surface_index.hpp"
 #include "wellspaced/algorithms/packing/space/tet_sphere.hpp"
@@ -17,22 +18,6 @@ namespace {
 
 using Facet3 = Triangulation3::Facet;
 using Tet = std::array<Index, 4>;
-
-constexpr Index kFarPoints = 8;
-
-// The corners of a cube five times as large as the box of the points: so no facet is on the hull.
-void add_far_points(std::vector<Point3>& points) {
-  Point3 low = points[0], high = low;
-  for (const Point3 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const Point3 middle = 0.5 * (low + high), size = high - low;
-  const double reach = 2.5 * std::max({size.x, size.y, size.z});
-  for (int i = 0; i < 8; ++i)
-    points.push_back({middle.x + (i & 1 ? reach : -reach), middle.y + (i & 2 ? reach : -reach),
-                      middle.z + (i & 4 ? reach : -reach)});
-}
 
 Error no_radius() {
   return {ErrorCode::kUsage, "the spacing is not positive inside the domain", {}};

@@ -86,6 +86,57 @@ TEST(MeshCommandInSpace, FindsTheLeastBetaForARatio) {
   EXPECT_LE(JsonView(&*tree)["radius_edge"]["max"].number(), 8);
 }
 
+int nodes_of(const test::ProgramRun& run) {
+  const auto tree = parse_json(run.out, "stdout");
+  return tree.ok() ? static_cast<int>(JsonView(&*tree)["nodes"].number()) : 0;
+}
+
+TEST(MeshCommandInSpace, PacksInFullIfAskedTo) {
+  const TemporaryDirectory directory;
+  const std::string domain = directory.write("cube.smesh", cube());
+  const auto usual = run_program({"mesh", domain, "--json", "-"});
+  const auto full = run_program({"mesh", domain, "--maximal", "full", "--json", "-"});
+  ASSERT_EQ(full.exit_code, 0) << full.err;
+  EXPECT_NE(full.out.find("\"maximal\":\"full\""), full.out.npos) << full.out;
+  EXPECT_GT(nodes_of(full), nodes_of(usual));
+}
+
+TEST(MeshCommandInSpace, FollowsSizesFromAFile) {
+  const TemporaryDirectory directory;
+  const std::string domain = directory.write("cube.smesh", cube());
+  std::string graded = "8 3 1 0\n";
+  for (int i = 0; i < 8; ++i)
+    graded += std::to_string(i + 1) + (i & 1 ? " 2" : " 0") + (i & 2 ? " 2" : " 0") +
+              (i & 4 ? " 2" : " 0") + (i & 1 ? " 0.25" : " 0.08") + "\n";
+  const std::string sizes = directory.write("sizes.node", graded);
+  const auto run = run_program(
+      {"mesh", domain, "--size", sizes, "-o", directory / "m", "--json", directory / "j"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err.find("no guarantee"), run.err.npos) << run.err;
+  const auto audit = run_program({"audit", directory / "m", "--domain", domain, "--require",
+                                  "circumcentres_inside", "--require", "radius_edge<=117"});
+  EXPECT_EQ(audit.exit_code, 0) << audit.out;
+  const auto usual = run_program({"mesh", domain, "--json", "-"});
+  const auto tree = parse_json(test::read_bytes(directory / "j"), "j");
+  ASSERT_TRUE(tree.ok());
+  EXPECT_GT(JsonView(&*tree)["nodes"].number(), 2 * nodes_of(usual));
+
+  const std::string flat = directory.write("flat.node", "1 2 1 0\n1 0 0 1\n");
+  const std::string bare = directory.write("bare.node", "1 3 0 0\n1 0 0 0\n");
+  const std::string wrong = directory.write("wrong.node", "1 3 1 0\n1 0 0 0 -1\n");
+  for (const std::string& file : {flat, bare, wrong})
+    EXPECT_EQ(run_program({"mesh", domain, "--size", file}).exit_code, 2) << file;
+}
+
+TEST(MeshCommandInSpace, SaysThatLargestVolumesAreNotKept) {
+  const TemporaryDirectory directory;
+  std::string text = cube();
+  text.replace(text.rfind("-1"), 2, "0.001");
+  const auto run = run_program({"mesh", directory.write("cube.smesh", text)});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("largest volumes"), run.err.npos) << run.err;
+}
+
 TEST(MeshCommandInSpace, SaysWhereThereIsNoGuarantee) {
   const TemporaryDirectory directory;
   const std::string domain = directory.write("cube.smesh", cube());
