@@ -14,18 +14,17 @@ constexpr double kSmallestCell = 0x1p-8;       // in radii
 constexpr std::size_t kMostTetsAround = 4000;  // more would only make the proof easier
 constexpr std::size_t kMostCells = 1 << 20;    // of one tet: so many only for a wild size function
 
-double square(double x) { return x * x; }
-
-double distance_sq(Point3 p, Point3 q) { return dot(p - q, p - q); }
+double gap_sq(Point3 p, Point3 q) { return dot(p - q, p - q); }
 
 // Whether the ball of this radius around p lies inside a sphere.
 bool lies_within(Point3 p, double radius, const Sphere& sphere) {
   const double room = sphere.radius - radius;
-  return room > 0 && distance_sq(p, sphere.center) < room * room;
+  return room > 0 && gap_sq(p, sphere.center) < room * room;
 }
 
-bool meet(const Sphere& a, const Sphere& b) {
-  return distance_sq(a.center, b.center) < square(a.radius + b.radius);
+bool spheres_meet(const Sphere& a, const Sphere& b) {
+  const double reach = a.radius + b.radius;
+  return gap_sq(a.center, b.center) < reach * reach;
 }
 
 }  // namespace
@@ -88,13 +87,13 @@ void RoomSearch3::look_around(Index t, Point3 middle) {
       run_of_[u] = runs_;
       const auto& [a, b, c, d] = topology.vertices(u);
       const Sphere sphere = tet_sphere(point(a), point(b), point(c), point(d));
-      if (meet(sphere, {middle, reach})) tets_.push_back(u);
+      if (spheres_meet(sphere, {middle, reach})) tets_.push_back(u);
     }
   }
   sort_unique(vertices_);
   for (const Index v : vertices_) {
     const Sphere ball{point(v), packing_.radius[v]};
-    if (meet(ball, {middle, reach + most})) balls_.push_back(ball);
+    if (spheres_meet(ball, {middle, reach + most})) balls_.push_back(ball);
   }
 }
 
@@ -103,7 +102,7 @@ void RoomSearch3::gather(const std::array<Index, 4>& corners, const Sphere& arou
   vertices_.insert(vertices_.end(), corners.begin(), corners.end());
   packing_.surface.any_sphere(corners, [&](const ProtectiveSphere& sphere) {
     const Sphere guard{sphere.centre, std::sqrt(sphere.radius_sq)};
-    if (meet(guard, around)) guards_.push_back(guard);
+    if (spheres_meet(guard, around)) guards_.push_back(guard);
     return false;
   });
 }
