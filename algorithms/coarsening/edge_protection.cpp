@@ -1,11 +1,8 @@
 #include "wellspaced/algorithms/coarsening/edge_protection.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "wellspaced/algorithms/coarsening/measured_edge.hpp"
-#include "wellspaced/kernel/distance.hpp"
 
 namespace wellspaced {
 namespace {
@@ -33,18 +30,19 @@ void protect_edges(LocalSearch& search, std::span<const Point2> points,
 }
 
 SearchCount inspect_edges(LocalSearch& search, std::span<const Point2> points,
-                          std::span<const ContractedEdge> edges, double ratio,
-                          const NodeSelection& selection) {
-  SearchCount count;
+                          std::span<const ContractedEdge> edges) {
+  std::vector<std::size_t> inspected(points.size());
   for (const ContractedEdge& edge : edges) {
-    const Point2 a = points[edge.a], b = points[edge.b];
-    const Point2 middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
-    const double radius = std::sqrt(0.25 + ratio * ratio) * distance(a, b);
-    search.run(std::array{edge.a, edge.b},
-               [&](Index v, double) { return distance(points[v], middle) <= radius; });
-    count.add(static_cast<std::size_t>(std::ranges::count_if(
-        search.include_frontier(), [&](Index v) { return !selection.is_selected(v); })));
+    const MeasuredEdge measured{points[edge.a], points[edge.b]};
+    const auto within = [&](Index v, double) {
+      return v == edge.a || v == edge.b || measured.has_in_diametral_circle(points[v]);
+    };
+    for (const Index end : {edge.a, edge.b})
+      inspected[end] += search.run(std::array{end}, within).size();
   }
+  SearchCount count;
+  for (const std::size_t nodes : inspected)
+    if (nodes > 0) count.add(nodes);
   return count;
 }
 

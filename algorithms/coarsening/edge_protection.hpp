@@ -35,12 +35,13 @@ void protect_edges(LocalSearch& search, std::span<const Point2> points,
                    std::span<const ContractedEdge> edges, std::span<const std::uint8_t> on_boundary,
                    const ProtectiveZone& zone, NodeSelection& selection);
 
-/// Counts the nodes that a search from each edge inspects: a search from both ends through the
-/// circle about the protective zone (its centre is the middle of the edge, its radius
-/// sqrt(1/4 + ratio^2) |edge|), the frontier included, and of these the nodes not yet selected.
-/// With this reading section 8.4.3 comes out; README.md says how closely.
+/// Counts the nodes that each node of the new boundary inspects to protect its edges: it searches
+/// the diametral circle of every edge that ends in it, through nodes inside alone, and inspects the
+/// edge's ends and what it reaches. A node in the circles of two of its edges counts twice.
+/// Returns: one search for each end of an edge.
+/// Requires: no edge joins two nodes at one place. Cost: linear in the nodes inspected and in the
+/// points. See: section 8.4.3, whose figures this reading gives (README.md).
 SearchCount inspect_edges(LocalSearch& search, std::span<const Point2> points,
-                          std::span<const ContractedEdge> edges, double ratio,
-                          const NodeSelection& selection);
+                          std::span<const ContractedEdge> edges);
 
 }  // namespace wellspaced

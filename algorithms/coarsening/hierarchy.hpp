@@ -28,8 +28,8 @@ struct CoarseningWork {
   double path_depth_mean = 0;  ///< over all nodes
   SearchCount selection;       ///< nodes inspected within 2 f / beta of each node that was
                                ///< considered, the frontier included (CHOICES 2); kFunction
-  SearchCount edge_protection;  ///< nodes inspected for each edge of the new boundary (see
-                                ///< inspect_edges)
+  SearchCount edge_protection;  ///< nodes inspected by each node of the new boundary, to protect
+                                ///< its edges (see inspect_edges)
 };
 
 /// A mesh of the sequence.

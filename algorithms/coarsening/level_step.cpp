@@ -153,7 +153,7 @@ Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest
   const std::size_t reinstated = selection.selected().size() - chosen;
   const ProtectiveZone zone = zone_of(options);
   if (options.count_work)
-    work.edge_protection = inspect_edges(search, points, contracted.edges(), zone.ratio, selection);
+    work.edge_protection = inspect_edges(search, points, contracted.edges());
   protect_edges(search, points, contracted.edges(), boundary.on_boundary, zone, selection);
 
   if (!tell("select")) return cancelled();

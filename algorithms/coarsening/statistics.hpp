@@ -39,7 +39,8 @@ struct MeanAndMax {
 /// intersection: triangles of the next finer level that a triangle of this level meets.
 /// The work of the step from this level to the next (see CoarseningWork): path_depth: edges on the
 /// shortest path that gave a node its spacing. search: nodes inspected by a selection; the mean is
-/// over all nodes of the level (CHOICES 2). edge_search: nodes inspected for a protected edge.
+/// over all nodes of the level (CHOICES 2). edge_search: nodes inspected by a node of the
+/// next level's boundary, to protect its edges.
 struct LevelStatistics {
   std::size_t nodes = 0, triangles = 0, boundary_edges = 0;
   AngleStatistics angles;

@@ -49,7 +49,6 @@ constexpr KnownReason kKnownReasons[] = {
     {"section-8.4.2", 8, 9, "", kOneLevelMore},
     {"section-8.4.2", 0, 9, "max", kInspected},
     {"section-8.4.3", 1, 1, "AIRFOIL 1", kMisprint843},
-    {"section-8.4.3", 3, 4, "AIRFOIL 1", kFewEdges},
     {"section-8.4.3", 5, 9, "", kFewEdges},
     {"section-8.4.3", 0, 9, "max", kInspected},
     {"table-8.3-function", 7, 99, "", kFewNodesLeft},

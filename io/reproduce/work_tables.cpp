@@ -23,7 +23,7 @@ constexpr WorkTable kWorkTables[] = {
      &LevelStatistics::path_depth, published_path_depth},
     {"section-8.4.2", "8.4.2: nodes inspected in a search from a node", &LevelStatistics::search,
      published_node_search},
-    {"section-8.4.3", "8.4.3: nodes inspected in a search from an edge",
+    {"section-8.4.3", "8.4.3: nodes inspected by a boundary node to protect its edges",
      &LevelStatistics::edge_search, published_edge_search},
 };
 

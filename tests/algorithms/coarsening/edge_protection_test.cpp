@@ -67,28 +67,29 @@ TEST(ProtectEdges, ExemptsSelectedNodes) {
   EXPECT_FALSE(domain.selection.is_free(32));
 }
 
-// The lower left corner of a grid with edges of length 2, cut along the rising diagonals.
-TEST(InspectEdges, CountsTheUnselectedNodesInTheCircleAndBesideIt) {
-  Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 2);
-  for (const ContractedEdge& edge : domain.edges)
-    domain.selection.force(std::vector<Index>{edge.a, edge.b});
-  const std::vector<ContractedEdge> lowest(1, domain.edges[0]);
-  ASSERT_EQ(lowest[0].a, 0u);
-  ASSERT_EQ(lowest[0].b, 2u);
-  const SearchCount count =
-      inspect_edges(domain.search, domain.mesh.points, lowest, 0.2, domain.selection);
-  EXPECT_EQ(count.searches, 1u);
-  // Inside the circle of radius 1.077 about (1, 0): the ends, (1, 0) and (1, 1).
-  std::vector<bool> inspected(domain.graph.nodes());
-  for (const Index v : {0u, 1u, 2u, 22u}) {
-    inspected[v] = true;
-    for (const Graph::Arc& arc : domain.graph.arcs_of(v)) inspected[arc.target] = true;
-  }
-  std::size_t expected = 0;
-  for (Index v = 0; v < domain.graph.nodes(); ++v)
-    expected += inspected[v] && !domain.selection.is_selected(v);
-  EXPECT_EQ(count.max, expected);
-  EXPECT_EQ(count.total, expected);
+// A grid of unit squares, its boundary contracted to edges of length 4: but for the ends of an
+// edge, its circle of radius 2 about the middle has 3 nodes of the boundary, 3 in the first row
+// above it and none in the second, where it touches one.
+TEST(InspectEdges, CountsWhatEachBoundaryNodeFindsInTheCirclesOfItsEdges) {
+  Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 4);
+  const std::size_t in_circle = 2 + 3 + 3;
+  const SearchCount all = inspect_edges(domain.search, domain.mesh.points, domain.edges);
+  EXPECT_EQ(all.searches, domain.edges.size()) << "a closed curve has as many nodes as edges";
+  EXPECT_EQ(all.max, 2 * in_circle);
+  EXPECT_EQ(all.total, 2 * in_circle * domain.edges.size());
+
+  const SearchCount one =
+      inspect_edges(domain.search, domain.mesh.points, std::span(domain.edges).first(1));
+  EXPECT_EQ(one.searches, 2u);
+  EXPECT_EQ(one.max, in_circle);
+  EXPECT_EQ(one.total, 2 * in_circle);
+}
+
+TEST(InspectEdges, CountsTheEndsOfEdgesWhoseCirclesAreEmpty) {
+  Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 1);
+  const SearchCount count = inspect_edges(domain.search, domain.mesh.points, domain.edges);
+  EXPECT_EQ(count.max, 4u);
+  EXPECT_EQ(count.total, 4 * count.searches);
 }
 
 }  // namespace
