@@ -3,6 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -21,6 +25,43 @@ inline void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] st
   const std::uintptr_t end = (address + bytes) / kLargePage * kLargePage;
   if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 #endif
+}
+
+/// Memory of a vector in large pages. Elements that are given no value get none, as in T x;
+template <class T>
+struct LargePageAllocator {
+  using value_type = T;
+
+  LargePageAllocator() = default;
+  template <class U>
+  LargePageAllocator(const LargePageAllocator<U>&) {}
+
+  T* allocate(std::size_t count) {
+    T* const begin = std::allocator<T>().allocate(count);
+    prefer_large_pages(begin, count * sizeof(T));
+    return begin;
+  }
+  void deallocate(T* begin, std::size_t count) { std::allocator<T>().deallocate(begin, count); }
+
+  void construct(T* at) { ::new (static_cast<void*>(at)) T; }
+  template <class... Arguments>
+  void construct(T* at, Arguments&&... arguments) {
+    ::new (static_cast<void*>(at)) T{std::forward<Arguments>(arguments)...};
+  }
+
+  friend bool operator==(LargePageAllocator, LargePageAllocator) { return true; }
+};
+
+/// A vector of many elements, which resize leaves without a value.
+template <class T>
+using LargeVector = std::vector<T, LargePageAllocator<T>>;
+
+/// Reserves memory in large pages for a vector that is to grow to `count` elements.
+template <class T>
+void reserve_large(std::vector<T>& vector, std::size_t count) {
+  if (count <= vector.capacity()) return;
+  vector.reserve(count);
+  prefer_large_pages(vector.data(), vector.capacity() * sizeof(T));
 }
 
 }  // namespace wellspaced

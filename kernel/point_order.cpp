@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
@@ -153,8 +154,9 @@ std::uint32_t place_in(const Cube<Dimension>& cube, const std::array<double, Dim
   return curve_place(cell);
 }
 
-// Stable radix sort by the bits above the point number.
-void sort_words(std::vector<Word>& words) {
+// Stable radix sort by the bits above the point number, back and forth between two arrays. Returns
+// the one that the result is in.
+std::span<Word> sort_words(std::span<Word> words, std::span<Word> other) {
   constexpr int kDigitBits = 12, kDigits = 3;
   static_assert(kDigitBits * kDigits == 64 - kIndexBits);
   constexpr std::size_t kBuckets = std::size_t{1} << kDigitBits;
@@ -164,14 +166,14 @@ void sort_words(std::vector<Word>& words) {
   };
   for (const Word word : words)
     for (int d = 0; d < kDigits; ++d) ++counts[d * kBuckets + digit(word, d)];
-  std::vector<Word> other(words.size());
   for (int d = 0; d < kDigits; ++d) {
     std::size_t* start = &counts[d * kBuckets];
     std::size_t sum = 0;
     for (std::size_t b = 0; b < kBuckets; ++b) sum += std::exchange(start[b], sum);
     for (const Word word : words) other[start[digit(word, d)]++] = word;
-    words.swap(other);
+    std::swap(words, other);
   }
+  return words;
 }
 
 // Cells with more points than this are refined.
@@ -193,7 +195,7 @@ void find_crowds(std::span<const Word> words, Range range, std::vector<Range>& c
 // pass divides the side by 2^16 (2^10 in space), so there are at most 2098 / 16 passes over any
 // point (2098 / 10).
 template <class Point>
-void refine_crowds(std::span<const Point> points, std::vector<Word>& words) {
+void refine_crowds(std::span<const Point> points, std::span<Word> words) {
   std::vector<Range> crowds;
   find_crowds(words, {0, words.size()}, crowds);
   const auto point_of = [&](Word word) { return points[index_of(word)]; };
@@ -210,33 +212,37 @@ void refine_crowds(std::span<const Point> points, std::vector<Word>& words) {
   }
 }
 
-// The words of all points in order, but for crowded cells.
+// The words of all points in order, but for crowded cells. They lie in `memory`, which has room for
+// two words a point.
 template <class Point, class RoundOf>
-std::vector<Word> sorted_words(std::span<const Point> points, RoundOf round_of) {
-  assert(points.size() <= kMaxOrderedPoints);
-  std::vector<Word> words(points.size());
+std::span<Word> sorted_words(std::span<const Point> points, std::span<Word> memory,
+                             RoundOf round_of) {
+  assert(points.size() <= kMaxOrderedPoints && memory.size() == 2 * points.size());
+  const auto words = memory.first(points.size()), other = memory.last(points.size());
   if (points.empty()) return words;
   const auto cube = bounding_cube(points, [](Point p) { return p; });
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Word place = cube.half_side > 0 ? place_in(cube, halved(points[i])) : 0;
     words[i] = (Word{round_of(i)} << kCurveBits | place) << kIndexBits | i;
   }
-  sort_words(words);
-  return words;
+  return sort_words(words, other);
 }
 
 template <class Point>
-std::vector<Index> refined_order(std::span<const Point> points, std::vector<Word>& words) {
-  std::vector<Index> order(points.size());
+std::vector<Index> refined_order(std::span<const Point> points, std::span<Word> words) {
   refine_crowds(points, words);
+  std::vector<Index> order;
+  reserve_large(order, words.size());
+  order.resize(words.size());
   std::transform(words.begin(), words.end(), order.begin(), index_of);
   return order;
 }
 
 template <class Point>
 std::vector<Index> curve_order(std::span<const Point> points) {
-  auto words = sorted_words(points, [](std::size_t) { return 0u; });
-  return refined_order(points, words);
+  LargeVector<Word> memory(2 * points.size());
+  return refined_order(points,
+                       sorted_words(points, std::span(memory), [](std::size_t) { return 0u; }));
 }
 
 // A point stays out of the last round with probability 2^-round_bits, out of the last two with the
@@ -258,20 +264,22 @@ unsigned round_of_point(std::size_t i, unsigned rounds, unsigned round_bits) {
 }
 
 template <class Point>
-std::vector<Word> words_in_rounds(std::span<const Point> points, unsigned round_bits) {
+std::span<Word> words_in_rounds(std::span<const Point> points, std::span<Word> memory,
+                                unsigned round_bits) {
   const unsigned rounds = round_count(points.size(), round_bits);
-  return sorted_words(points, [&](std::size_t i) { return round_of_point(i, rounds, round_bits); });
+  return sorted_words(points, memory,
+                      [&](std::size_t i) { return round_of_point(i, rounds, round_bits); });
 }
 
 // The first of the sorted words at or behind a place on the curve in a round.
-std::size_t first_word(const std::vector<Word>& words, Word round, Word place) {
+std::size_t first_word(std::span<const Word> words, Word round, Word place) {
   const Word key = (round << kCurveBits | place) << kIndexBits;
   return static_cast<std::size_t>(std::lower_bound(words.begin(), words.end(), key) -
                                   words.begin());
 }
 
 // Cuts the rounds of the sorted words into runs, where the curve cuts the last round evenly.
-std::vector<Index> run_ends(const std::vector<Word>& words, unsigned rounds, unsigned regions) {
+std::vector<Index> run_ends(std::span<const Word> words, unsigned rounds, unsigned regions) {
   const std::size_t last_begin = first_word(words, rounds - 1, 0);
   const std::size_t last_count = words.size() - last_begin;
   std::vector<Index> ends;
@@ -295,8 +303,14 @@ std::vector<Index> hilbert_order(std::span<const Point2> points) { return curve_
 std::vector<Index> hilbert_order(std::span<const Point3> points) { return curve_order(points); }
 
 std::vector<Index> insertion_order(std::span<const Point2> points) {
-  auto words = words_in_rounds(points, kPlaneRoundBits);
-  return refined_order(points, words);
+  LargeVector<Point2> memory(points.size());
+  return insertion_order(points, std::as_writable_bytes(std::span(memory)));
+}
+
+std::vector<Index> insertion_order(std::span<const Point2> points, std::span<std::byte> memory) {
+  assert(memory.size() == 2 * sizeof(Word) * points.size());
+  const std::span words(reinterpret_cast<Word*>(memory.data()), 2 * points.size());
+  return refined_order(points, words_in_rounds(points, words, kPlaneRoundBits));
 }
 
 std::vector<Index> insertion_order(std::span<const Point3> points) {
@@ -304,7 +318,8 @@ std::vector<Index> insertion_order(std::span<const Point3> points) {
 }
 
 InsertionRuns insertion_runs(std::span<const Point3> points, unsigned regions) {
-  auto words = words_in_rounds(points, kSpaceRoundBits);
+  LargeVector<Word> memory(2 * points.size());
+  const auto words = words_in_rounds(points, std::span(memory), kSpaceRoundBits);
   InsertionRuns runs{regions, {}, {}};
   const unsigned rounds = round_count(points.size(), kSpaceRoundBits);
   if (!points.empty()) runs.ends = run_ends(words, rounds, regions);

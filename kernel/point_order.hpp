@@ -1,6 +1,7 @@
 // The order in which points are inserted: biased randomized rounds, each along a Hilbert curve.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,10 @@ std::vector<Index> hilbert_order(std::span<const Point3> points);
 /// constructions con BRIO (2003).
 std::vector<Index> insertion_order(std::span<const Point2> points);
 std::vector<Index> insertion_order(std::span<const Point3> points);
+
+/// The same, sorted in memory that the caller needs later: 16 bytes a point, aligned as a double.
+/// What they hold is overwritten.
+std::vector<Index> insertion_order(std::span<const Point2> points, std::span<std::byte> memory);
 
 /// The same rounds for points of the plane that were brought into order along a curve before:
 /// along_curve holds each point number once. Cost: linear, with no sort.

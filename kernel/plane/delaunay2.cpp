@@ -123,7 +123,11 @@ void Delaunay2::find_cavity(Edge root, Point2 p, Cavity& cavity) const {
 Result<Delaunay2> Delaunay2::build(std::span<const Point2> points) {
   if (Status status = check_points(points); !status) return status.error();
   Delaunay2 result;
-  result.build_from(points, insertion_order(points));
+  // Fresh memory costs time, so the points are sorted where they will be copied to.
+  reserve_large(result.points_, points.size());
+  result.points_.resize(points.size());
+  result.build_from(points,
+                    insertion_order(points, std::as_writable_bytes(std::span(result.points_))));
   return result;
 }
 
@@ -161,9 +165,7 @@ bool Delaunay2::start() {
   while (c < n && turn(0, b, c) == 0) ++c;
   if (c >= n) return false;
   dimension_ = 2;
-  auto& triangles = topology_.triangles_;
-  triangles.reserve(2 * static_cast<std::size_t>(n));
-  prefer_large_pages(triangles.data(), triangles.capacity() * sizeof(triangles[0]));
+  topology_.triangles_.reserve(2 * static_cast<std::size_t>(n));
   turn(0, b, c) > 0 ? topology_.reset(0, b, c) : topology_.reset(0, c, b);
   return true;
 }
@@ -200,12 +202,16 @@ void Delaunay2::number_as_input(std::span<const Point2> points, std::vector<Inde
     for (std::size_t i = 0; i < order.size(); ++i) representative_[input_number[i]] = order[i];
     duplicate_count_ += duplicates.size();
   }
-  index_triangles();
-  for (auto& triangle : topology_.triangles_)
-    for (Index& v : triangle.vertex)
-      if (v != kGhost) v = order[v];
+  LargeVector<Index> triangle_of(order.size(), kNoIndex);
+  for (Index t = topology_.size(); t-- > 0;) {
+    for (Index& v : topology_.triangles_[t].vertex) {
+      if (v == kGhost) continue;
+      triangle_of[v] = t;
+      v = order[v];
+    }
+  }
   // Only here the numbers jump about: in insertion order, neighbours are near each other.
-  const std::vector<Index> triangle_of = std::move(triangle_of_);
+  reserve_large(triangle_of_, points_.size());
   triangle_of_.assign(points_.size(), kNoIndex);
   for (std::size_t i = 0; i < order.size(); ++i)
     if (triangle_of[i] != kNoIndex) triangle_of_[order[i]] = triangle_of[i];
@@ -215,13 +221,6 @@ void Delaunay2::allocate_representatives() {
   if (!representative_.empty()) return;
   representative_.resize(points_.size());
   for (Index i = 0; i < representative_.size(); ++i) representative_[i] = i;
-}
-
-void Delaunay2::index_triangles() {
-  triangle_of_.assign(points_.size(), kNoIndex);
-  for (Index t = topology_.size(); t-- > 0;)
-    for (const Index v : topology_.vertices(t))
-      if (v != kGhost) triangle_of_[v] = t;
 }
 
 void Delaunay2::refresh_triangle_of(Index t) {

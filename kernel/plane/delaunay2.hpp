@@ -175,7 +175,6 @@ class Delaunay2 {
   void number_as_input(std::span<const Point2> points, std::vector<Index>& order,
                        const std::vector<Duplicate>& duplicates);
   void allocate_representatives();
-  void index_triangles();
   void refresh_triangle_of(Index t);
 
   int turn(Index a, Index b, Index c) const;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/lifted_filter.hpp"
 #include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/predicates.hpp"
@@ -48,7 +49,7 @@ class BulkInserter {
  public:
   // Requires: the triangles are the Delaunay triangulation of three of the points, unconstrained,
   // with room reserved for two triangles a point.
-  BulkInserter(std::vector<Triangle>& triangles, std::span<const Point2> points)
+  BulkInserter(LargeVector<Triangle>& triangles, std::span<const Point2> points)
       : triangles_(triangles), points_(points), slots_(kUsualStar), stack_(kUsualStar) {
     const auto& v = triangles[0].vertex;
     ghost_sq_ = predicate_filter::lifted(points[v[0]], points[v[1]]).sq;
@@ -246,7 +247,7 @@ class BulkInserter {
     stack_.resize(2 * stack_.size());
   }
 
-  std::vector<Triangle>& triangles_;
+  LargeVector<Triangle>& triangles_;
   std::span<const Point2> points_;
   double ghost_sq_;  // how the ghost is seen; its size does not matter to a sign
   Point2 p_ = {};    // the point that goes in

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
@@ -138,7 +139,7 @@ class Triangulation2 {
 
   static constexpr std::uint32_t pack(Index t, unsigned i) { return t << 3 | i; }
 
-  std::vector<Triangle> triangles_;
+  LargeVector<Triangle> triangles_;
 };
 
 }  // namespace wellspaced
