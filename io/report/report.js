@@ -17,6 +17,7 @@ class ReportPage {
     renderLead(report, this.tenths, () => this.showWhy());
     renderParameters(report);
     this.rows = report.methods.map((method, k) => renderTable(method, k, document.getElementById('tables')));
+    renderColumnNotes(report, document.getElementById('tables'));
     document.getElementById('panels').append(...this.panels.map(panel => panel.figure));
     this.addCharts();
     this.addLegend();
@@ -51,7 +52,7 @@ class ReportPage {
     document.getElementById('mesh-legend').append(
         item('below-10', 'triangles with an angle of at most 10° (ringed where they are tiny)'),
         item('below-20', 'at most 20°'),
-        element('span', {class: 'screen-only'}, 'Drag to move; click, then scroll to zoom.'));
+        element('span', {class: 'screen-only'}, 'Drag to move; click, then scroll to zoom. Keys: arrows, +, \u2212, 0.'));
   }
 
   connectControls() {

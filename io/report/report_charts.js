@@ -133,6 +133,24 @@ const kColumns = [
   {group: 'edge search', key: 'edge_search_max', name: 'max'},
 ];
 
+// What the columns' headings leave open. Shown where there is such a column.
+const kColumnNotes = [
+  ['boundary_min', 'Boundary triangles have a node on the boundary, interior ones have none.'],
+  ['gradation', 'Gradation: how often the longest edge halves down to the shortest.'],
+  ['intersection_mean', 'Intersection: how many triangles of the level before a triangle meets.'],
+  ['path_depth_mean', 'Path depth: edges on the path along which a node got its spacing.'],
+  ['search_mean', 'Node search: nodes looked at to decide about a node.'],
+  ['edge_search_mean', 'Edge search: nodes looked at by a node of the next level\u2019s boundary, '
+      + 'so that none stays too close to its edges.'],
+];
+
+function renderColumnNotes({methods}, parent) {
+  const has = key => methods.some(({levels}) => levels.some(
+      ({statistics: s}) => s[key] !== null && s[key] !== undefined));
+  const notes = kColumnNotes.filter(([key]) => has(key)).map(([, words]) => words);
+  if (notes.length) parent.append(element('p', {class: 'legend'}, notes.join(' ')));
+}
+
 const cellText = (value, digits = 0) =>
     value === null || value === undefined ? '' : digits ? value.toFixed(digits) : count(value);
 
@@ -156,7 +174,8 @@ function renderTable(method, k, parent) {
   const rows = method.levels.map(({statistics}, level) => element('tr', {},
       element('th', {scope: 'row'}, String(level)),
       ...columns.map(({key, digits}) => element('td', {}, cellText(statistics[key], digits)))));
-  parent.append(element('div', {class: 'table'}, element('table', {},
+  const scrolled = {class: 'table', tabindex: '0', role: 'region', 'aria-label': `Levels, ${methodName(method)}`};
+  parent.append(element('div', scrolled, element('table', {},
       element('caption', {}, methodMark(k), methodName(method)),
       tableHead(columns), element('tbody', {}, ...rows))));
   return rows;
