@@ -113,13 +113,16 @@ function headline(report, levels) {
     return 'Function-based coarsening evens the mesh out. Independent sets (MIS) keep its grading'
         + (angles_pay ? ', and the angles pay for it.' : '.');
   }
-  const names = report.methods.map(methodName).join(' and ');
+  const names = new Intl.ListFormat('en-GB').format(report.methods.map(methodName));
   return `${names} coarsening of ${count(report.methods[0].levels[0].statistics.nodes)} nodes`;
 }
 
 // How many times longer edges are in the coarsest tenth of the input than in the finest.
 const spreadOf = tenths => tenths.length < 10 ? 1 : tenths[9].size / tenths[0].size;
 const kNearlyUniform = 1.5;
+
+const endsInThinTriangles = ({levels}) =>
+    (levels[levels.length - 1].statistics.boundary_min ?? 180) <= 10;
 
 function introduction({methods}, tenths) {
   const {nodes, triangles} = methods[0].levels[0].statistics;
@@ -129,9 +132,9 @@ function introduction({methods}, tenths) {
       + (spread > kNearlyUniform ? `; its edges are some ${factor(spread).slice(1)} times longer where it is coarse `
                         + 'than where it is fine. ' : ', nearly uniform in size. ')
       + 'Each level is a mesh on some of the nodes of the level before, down to the few that hold the '
-      + 'shape of the domain. A solver that works on all levels wants few of them, without thin '
-      + 'triangles. At the boundary of the last levels the shape of the domain decides the angles, '
-      + 'not the method.';
+      + 'shape of the domain. A solver that works on all levels wants few of them, without thin triangles.'
+      + (methods.every(endsInThinTriangles) ? ' At the boundary of the last levels the shape of the '
+                        + 'domain decides the angles, not the method.' : '');
 }
 
 function keptSentence(method, tenths) {
