@@ -41,6 +41,7 @@ constexpr std::array kMeshOptions = {
     Option{"--intersections", "RULE", "crossing segments: refuse (default) or split"},
     Option{"--flatness", "X",
            "in space: how far from planes and right angles counts as on them (default 1e-6)"},
+    Option{"--report", "FILE.html", "in space: the mesh as a web page, to be turned and cut open"},
     Option{"--spacing", "FILE",
            "write the spacing function at the nodes, one value a line "
            "(default: beside Triangle's files, where audit finds it)"},
@@ -190,7 +191,8 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   if (!input) return input.error();
   run.read = reading.elapsed();
   if (input->dimension == 3) return mesh_in_space(path, *input, run.read, arguments, session);
-  if (arguments.has("--flatness")) arguments.refuse("--flatness", "is for domains in space");
+  for (const char* name : {"--flatness", "--report"})
+    if (arguments.has(name)) arguments.refuse(name, "is for domains in space");
   run.options = read_packing_options(arguments, *input);
   if (Status status = arguments.status(); !status)
     return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,9 @@
 #include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
+#include "wellspaced/io/report/solid_report.hpp"
 #include "wellspaced/io/report/table_text.hpp"
+#include "wellspaced/io/text/text_writer.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -208,6 +211,28 @@ std::string space_text(const PackedTets& packed, double beta, const ShapeSummary
   return text;
 }
 
+Status write_solid_report(const std::string& report_path, const std::string& path,
+                          const PackedTets& packed, const PackingOptions3& options,
+                          const ShapeSummary& shape, Session& session) {
+  const std::string name = std::filesystem::path(display_name(path)).filename().string();
+  const auto bound = radius_edge_bound(options.beta);
+  SolidReport report{
+      .title = "Mesh of " + name,
+      .parameters = {{"domain", name},
+                     {"nodes", std::to_string(packed.mesh.points.size())},
+                     {"tets", std::to_string(packed.mesh.tets.size())},
+                     {"boundary faces", std::to_string(packed.mesh.facets.size())},
+                     {"largest circumradius / shortest edge", decimal(shape.radius_edge)},
+                     {"proven bound of it", bound ? decimal(*bound) : "none"},
+                     {"slivers", std::to_string(shape.slivers.size())},
+                     {"beta", shortest(options.beta)},
+                     {"maximal", name_of(options.maximality)},
+                     {"complete", packed.is_complete ? "yes" : "no"}},
+      .mesh = &packed.mesh};
+  return session.outputs().add(report_path,
+                               [&](TextWriter& out) { out << solid_report_html(report); });
+}
+
 }  // namespace
 
 Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseTime reading,
@@ -236,6 +261,11 @@ Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseT
   if (!written) return written.error();
   times.write = writing.elapsed();
   const ShapeSummary shape = shape_summary(packed->mesh);
+  if (const auto report = arguments.value("--report"))
+    if (Status status =
+            write_solid_report(std::string(*report), path, *packed, options, shape, session);
+        !status)
+      return status.error();
   if (Status status = session.write_json(space_json(*packed, input, options, shape, times));
       !status)
     return status.error();

@@ -14,6 +14,7 @@
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
 #include "wellspaced/io/formats/vtk.hpp"
+#include "wellspaced/io/pictures/cut_away.hpp"
 #include "wellspaced/io/pictures/svg.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 
@@ -117,9 +118,12 @@ Status write_as_vtk(OutputSet& outputs, const std::string& path, const Geometry&
 }
 
 Status write_as_svg(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
-  if (geometry.dimension != 2)
-    return wrong_usage(path + ": only what is in the plane can be drawn");
-  return outputs.add(path, [&](TextWriter& out) { write_mesh_svg(out, geometry.mesh); });
+  if (geometry.dimension == 3 && geometry.solid.tets.empty())
+    return wrong_usage(path + ": of what is in space only tetrahedra can be drawn");
+  return outputs.add(path, [&](TextWriter& out) {
+    if (geometry.dimension == 3) return write_cut_away_svg(out, geometry.solid);
+    write_mesh_svg(out, geometry.mesh);
+  });
 }
 
 template <GmshVersion kVersion, GmshEncoding kEncoding>
@@ -167,7 +171,7 @@ constexpr auto kFormats = std::to_array<Format>({
     {"xyz", ".xyz", "points, one a line", parse_xyz, recognise_xyz, write_one<write_xyz>},
     {"metis", ".graph", "METIS .graph and coordinates in .xyz", nullptr, nullptr, write_metis,
      read_metis},
-    {"svg", ".svg", "a picture", nullptr, nullptr, write_as_svg},
+    {"svg", ".svg", "a picture; tetrahedra cut open", nullptr, nullptr, write_as_svg},
 });
 
 bool has_word(std::string_view list, std::string_view word) {

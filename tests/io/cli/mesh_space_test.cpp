@@ -128,6 +128,26 @@ TEST(MeshCommandInSpace, FollowsSizesFromAFile) {
     EXPECT_EQ(run_program({"mesh", domain, "--size", file}).exit_code, 2) << file;
 }
 
+TEST(MeshCommandInSpace, DrawsTheMesh) {
+  const TemporaryDirectory directory;
+  const std::string domain = directory.write("cube.smesh", cube());
+  const auto run =
+      run_program({"mesh", domain, "-o", directory / "m.svg", "--report", directory / "m.html"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string svg = test::read_bytes(directory / "m.svg");
+  EXPECT_EQ(svg.rfind("<svg ", 0), 0u);
+  EXPECT_GT(std::count(svg.begin(), svg.end(), '\n'), 200);
+  const std::string page = test::read_bytes(directory / "m.html");
+  EXPECT_NE(page.find("<title>Mesh of cube.smesh</title>"), page.npos);
+  EXPECT_NE(page.find("<dt>nodes</dt><dd>493</dd>"), page.npos);
+
+  const auto surface = run_program({"convert", domain, directory / "surface.svg"});
+  EXPECT_EQ(surface.exit_code, 2) << "only tetrahedra can be drawn";
+  const std::string flat =
+      directory.write("flat.poly", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+  EXPECT_EQ(run_program({"mesh", flat, "--report", directory / "flat.html"}).exit_code, 2);
+}
+
 TEST(MeshCommandInSpace, SaysThatLargestVolumesAreNotKept) {
   const TemporaryDirectory directory;
   std::string text = cube();
