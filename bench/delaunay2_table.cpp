@@ -251,6 +251,54 @@ void print_row(const Row& row, int runs, double bytes, double& uniform) {
   std::fflush(stdout);
 }
 
+bool have_same_triangles(const Triangulation2& a, const Triangulation2& b) {
+  if (a.size() != b.size()) return false;
+  for (Index t = 0; t < a.size(); ++t)
+    for (unsigned i = 0; i < 3; ++i)
+      if (a.vertex(t, i) != b.vertex(t, i) || a.mirror({t, i}) != b.mirror({t, i})) return false;
+  return true;
+}
+
+// The wall time of two threads as a ratio to that of one: medians of interleaved runs. It says
+// nothing while other programs use the cores.
+void print_threads(const std::vector<Point2>& points, int runs) {
+  std::vector<double> seconds[2];
+  Delaunay2 dt[2];
+  for (int run = 0; run < runs; ++run) {
+    for (const unsigned threads : {1u, 2u}) {
+      dt[threads - 1] = {};
+      const double start = wall_seconds();
+      dt[threads - 1] = *Delaunay2::build(points, {.threads = threads});
+      seconds[threads - 1].push_back(wall_seconds() - start);
+    }
+  }
+  const double one = median(seconds[0]), two = median(seconds[1]);
+  const bool same = have_same_triangles(dt[0].topology(), dt[1].topology());
+  std::printf("two threads: %.3f s of wall time to %.3f s of one: %.2f, bytes %s\n", two, one,
+              two / one, same ? "the same" : "DIFFERENT");
+}
+
+// The CPU time a point, the median of `runs` after one that does not count.
+double time_per_point(std::size_t count, int runs) {
+  const Pslg graph = points_only(random_points(count, 1));
+  std::vector<double> seconds;
+  for (int run = 0; run <= runs; ++run) {
+    Delaunay2 dt;
+    seconds.push_back(timed([&] { dt = triangulate_ours(graph); }));
+  }
+  seconds.erase(seconds.begin());
+  return median(seconds) / static_cast<double>(count);
+}
+
+// How much longer a point takes among 10^7 than among 10^5, when neither has to pay the system for
+// fresh pages. Runs of 10^5 points find theirs among what was freed before in any case.
+void print_growth(int runs) {
+  keep_freed_memory();
+  const double few = time_per_point(100000, 20 * runs), many = time_per_point(10000000, runs);
+  std::printf("10^5 to 10^7 points, memory kept: %.0f to %.0f ns a point, %.2f (reach < 1.60)\n",
+              1e9 * few, 1e9 * many, many / few);
+}
+
 // "997 holes, 300k segments" as "997_holes_300k_segments".
 std::string file_name(const Row& row) {
   std::string name;
@@ -298,4 +346,7 @@ int main(int argc, char** argv) {
   for (const Row& row : rows) bytes.push_back(peak_growth(row.make, triangulate_ours));
   double uniform = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) print_row(rows[i], runs, bytes[i], uniform);
+  if (argc > 2) return 0;
+  print_threads(wellspaced::random_points(1000000, 1), std::max(runs, 5));
+  print_growth(runs);
 }

@@ -296,6 +296,16 @@ std::vector<Index> run_ends(std::span<const Word> words, unsigned rounds, unsign
   return ends;
 }
 
+template <class Point>
+InsertionRuns runs_in(std::span<Word> memory, std::span<const Point> points, unsigned regions,
+                      unsigned round_bits) {
+  const auto words = words_in_rounds(points, memory, round_bits);
+  InsertionRuns runs{regions, {}, {}};
+  if (!points.empty()) runs.ends = run_ends(words, round_count(points.size(), round_bits), regions);
+  runs.order = refined_order(points, words);
+  return runs;
+}
+
 }  // namespace
 
 std::vector<Index> hilbert_order(std::span<const Point2> points) { return curve_order(points); }
@@ -304,27 +314,23 @@ std::vector<Index> hilbert_order(std::span<const Point3> points) { return curve_
 
 std::vector<Index> insertion_order(std::span<const Point2> points) {
   LargeVector<Point2> memory(points.size());
-  return insertion_order(points, std::as_writable_bytes(std::span(memory)));
-}
-
-std::vector<Index> insertion_order(std::span<const Point2> points, std::span<std::byte> memory) {
-  assert(memory.size() == 2 * sizeof(Word) * points.size());
-  const std::span words(reinterpret_cast<Word*>(memory.data()), 2 * points.size());
-  return refined_order(points, words_in_rounds(points, words, kPlaneRoundBits));
+  return insertion_runs(points, 1, std::as_writable_bytes(std::span(memory))).order;
 }
 
 std::vector<Index> insertion_order(std::span<const Point3> points) {
   return insertion_runs(points, 1).order;
 }
 
+InsertionRuns insertion_runs(std::span<const Point2> points, unsigned regions,
+                             std::span<std::byte> memory) {
+  assert(memory.size() == 2 * sizeof(Word) * points.size());
+  const std::span words(reinterpret_cast<Word*>(memory.data()), 2 * points.size());
+  return runs_in(words, points, regions, kPlaneRoundBits);
+}
+
 InsertionRuns insertion_runs(std::span<const Point3> points, unsigned regions) {
   LargeVector<Word> memory(2 * points.size());
-  const auto words = words_in_rounds(points, std::span(memory), kSpaceRoundBits);
-  InsertionRuns runs{regions, {}, {}};
-  const unsigned rounds = round_count(points.size(), kSpaceRoundBits);
-  if (!points.empty()) runs.ends = run_ends(words, rounds, regions);
-  runs.order = refined_order(points, words);
-  return runs;
+  return runs_in(std::span(memory), points, regions, kSpaceRoundBits);
 }
 
 std::vector<Index> insertion_order(std::span<const Index> along_curve) {

@@ -32,10 +32,6 @@ std::vector<Index> hilbert_order(std::span<const Point3> points);
 std::vector<Index> insertion_order(std::span<const Point2> points);
 std::vector<Index> insertion_order(std::span<const Point3> points);
 
-/// The same, sorted in memory that the caller needs later: 16 bytes a point, aligned as a double.
-/// What they hold is overwritten.
-std::vector<Index> insertion_order(std::span<const Point2> points, std::span<std::byte> memory);
-
 /// The same rounds for points of the plane that were brought into order along a curve before:
 /// along_curve holds each point number once. Cost: linear, with no sort.
 std::vector<Index> insertion_order(std::span<const Index> along_curve);
@@ -53,5 +49,10 @@ struct InsertionRuns {
 /// insertion_order, cut up. Requires: regions > 0.
 /// Degenerate: where points are crowded beyond what the curve's grid resolves, runs may be empty.
 InsertionRuns insertion_runs(std::span<const Point3> points, unsigned regions);
+
+/// The same in the plane, sorted in memory that the caller needs later: 16 bytes a point, aligned
+/// as a double. What they hold is overwritten.
+InsertionRuns insertion_runs(std::span<const Point2> points, unsigned regions,
+                             std::span<std::byte> memory);
 
 }  // namespace wellspaced

@@ -99,7 +99,7 @@ Status triangulate_points(const Choices& choices, const Progress& progress, Geom
                           Report& report) {
   const MemoryGauge memory;
   const Stopwatch watch;
-  const auto delaunay = Delaunay2::build(geometry.mesh.points);
+  const auto delaunay = Delaunay2::build(geometry.mesh.points, {.threads = choices.threads});
   if (!delaunay) return delaunay.error();
   report.triangulate = watch.elapsed();
   report.peak_bytes = memory.peak();
@@ -115,7 +115,8 @@ Status triangulate_domain(const Choices& choices, const Progress& progress, Geom
   const Pslg graph = to_pslg(geometry);
   const MemoryGauge memory;
   const Stopwatch watch;
-  const auto result = triangulate(graph, {choices.holes, choices.crossings, progress});
+  const auto result =
+      triangulate(graph, {choices.holes, choices.crossings, progress, choices.threads});
   if (!result) return result.error();
   report.triangulate = watch.elapsed();
   report.peak_bytes = memory.peak();

@@ -6,7 +6,6 @@
 
 #include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/large_pages.hpp"
-#include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
@@ -120,14 +119,15 @@ void Delaunay2::find_cavity(Edge root, Point2 p, Cavity& cavity) const {
 
 // ---- Building ------------------------------------------------------------------------------
 
-Result<Delaunay2> Delaunay2::build(std::span<const Point2> points) {
+Result<Delaunay2> Delaunay2::build(std::span<const Point2> points, const Options& options) {
   if (Status status = check_points(points); !status) return status.error();
   Delaunay2 result;
   // Fresh memory costs time, so the points are sorted where they will be copied to.
   reserve_large(result.points_, points.size());
   result.points_.resize(points.size());
-  result.build_from(points,
-                    insertion_order(points, std::as_writable_bytes(std::span(result.points_))));
+  InsertionRuns runs = insertion_runs(points, region_count(points.size()),
+                                      std::as_writable_bytes(std::span(result.points_)));
+  result.build_from(points, runs, options);
   return result;
 }
 
@@ -136,17 +136,20 @@ Result<Delaunay2> Delaunay2::build(std::span<const Point2> points,
   assert(along_curve.size() == points.size());
   if (Status status = check_points(points); !status) return status.error();
   Delaunay2 result;
-  result.build_from(points, insertion_order(along_curve));
+  InsertionRuns runs{1, insertion_order(along_curve), {static_cast<Index>(points.size())}};
+  result.build_from(points, runs, {});
   return result;
 }
 
 // Triangulates points[order[0]], points[order[1]], ...
-void Delaunay2::build_from(std::span<const Point2> points, std::vector<Index> order) {
+void Delaunay2::build_from(std::span<const Point2> points, InsertionRuns& runs,
+                           const Options& options) {
+  std::vector<Index>& order = runs.order;
   points_.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) points_[i] = points[order[i]];
   std::vector<Duplicate> duplicates;
   if (start()) {
-    insert_in_order(duplicates);
+    insert_in_order(runs, options.threads, duplicates);
   } else {
     duplicates = sort_out_duplicates();
   }

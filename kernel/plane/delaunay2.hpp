@@ -7,6 +7,7 @@
 
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/plane/triangulation2.hpp"
+#include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -31,13 +32,22 @@ class Delaunay2 {
     Edge edge;
   };
 
+  struct Options {
+    /// How many threads may work, the caller's among them; beyond eight none is used. The result
+    /// does not depend on it, not even in the numbers of triangles.
+    unsigned threads = 1;
+  };
+
   /// The Delaunay triangulation of `points`: exact. Ties (cocircular points) are broken by the
   /// order of insertion, which depends on the points and their numbers alone.
   /// Errors: kInvalidGeometry for a NaN or infinite coordinate (ids: the points); kLimit beyond
   /// 2^28 points.
   /// Cost: O(n log n) expected time for every input; 72 bytes a point kept and about 75 at the
   /// peak.
-  static Result<Delaunay2> build(std::span<const Point2> points);
+  static Result<Delaunay2> build(std::span<const Point2> points, const Options& options);
+  static Result<Delaunay2> build(std::span<const Point2> points) {
+    return build(points, Options());
+  }
 
   /// The same, for points that were brought into order along a curve before: along_curve holds each
   /// point number once. Only ties may be broken differently. Cost: without a sort.
@@ -168,9 +178,11 @@ class Delaunay2 {
     std::vector<std::uint32_t> stack;
   };
 
-  void build_from(std::span<const Point2> points, std::vector<Index> order);
+  static unsigned region_count(std::size_t points);
+  void build_from(std::span<const Point2> points, InsertionRuns& runs, const Options& options);
   bool start();
-  void insert_in_order(std::vector<Duplicate>& duplicates);
+  void insert_in_order(const InsertionRuns& runs, unsigned threads,
+                       std::vector<Duplicate>& duplicates);
   std::vector<Duplicate> sort_out_duplicates() const;
   void number_as_input(std::span<const Point2> points, std::vector<Index>& order,
                        const std::vector<Duplicate>& duplicates);

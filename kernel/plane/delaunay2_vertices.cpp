@@ -94,9 +94,10 @@ Result<Index> Delaunay2::insert_below_dimension_2(Point2 p) {
 
 // Builds the triangulation of the vertices anew.
 void Delaunay2::rebuild() {
-  std::vector<Index> order = insertion_order(points_);
-  std::erase_if(order, [this](Index point) { return !is_vertex(point); });
-  build_from(std::vector<Point2>(points_), std::move(order));
+  InsertionRuns runs{1, insertion_order(points_), {}};
+  std::erase_if(runs.order, [this](Index point) { return !is_vertex(point); });
+  runs.ends = {static_cast<Index>(runs.order.size())};
+  build_from(std::vector<Point2>(points_), runs, {});
 }
 
 // ---- Removal -------------------------------------------------------------------------------

@@ -175,7 +175,7 @@ std::vector<std::array<Index, 3>> PlanarTriangulation::triangles() const {
 Result<PlanarTriangulation> triangulate(const Pslg& graph, const TriangulateOptions& options) {
   if (Status status = check_segments(graph); !status) return status.error();
   if (!report(options.progress, kPhase, 0, 2)) return Error{ErrorCode::kCancelled, "cancelled", {}};
-  Result<Delaunay2> built = Delaunay2::build(graph.points);
+  Result<Delaunay2> built = Delaunay2::build(graph.points, {.threads = options.threads});
   if (!built) return built.error();
   PlanarTriangulation result;
   result.delaunay = std::move(*built);

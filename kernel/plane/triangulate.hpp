@@ -29,7 +29,8 @@ enum class CrossingRule {
 struct TriangulateOptions {
   HoleRule holes = HoleRule::kParity;
   CrossingRule crossings = CrossingRule::kSplit;
-  Progress progress;
+  Progress progress = {};
+  unsigned threads = 1;  ///< as in Delaunay2::Options
 };
 
 /// The triangulation of a planar straight-line graph.
