@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <string>
 #include <utility>
 
 #include "wellspaced/kernel/plane/crossing.hpp"
@@ -12,10 +11,6 @@
 namespace wellspaced {
 namespace {
 
-// What counts as a conflict: at first, whatever gives the result other vertices on a segment than
-// the exact crossings have, and crossings on input points; then only what makes it invalid.
-enum class Demand { kSameVertices, kValid };
-
 // How often crossings in conflict are moved, each to its next rounding, before chance takes over;
 // then there are as many attempts by chance, and more as long as they triangulate few points in
 // all.
@@ -23,12 +18,16 @@ constexpr std::size_t kOrderlyAttempts = 25;
 constexpr std::size_t kPointsByChance = std::size_t{1} << 12;
 
 // A distinct crossing: two of the segments through it, and the doubles it may be rounded to; those
-// that are no input point first.
+// that are no input point first. `nearest` and `choice` number candidates.
 struct Node {
   std::array<Index, 2> segment;
   std::vector<Point2> candidates;
   std::size_t free_candidates = 0;
+  std::size_t nearest = 0;
   std::size_t choice = 0;
+
+  // How many candidates it may be moved to: it stays off the input points where it can.
+  std::size_t choices() const { return free_candidates == 0 ? candidates.size() : free_candidates; }
 };
 
 // Crossings in each other's way.
@@ -48,7 +47,6 @@ class Splitter {
   void chain_segments();
   Status find_candidates();
   std::vector<Point2> all_points() const;
-  std::size_t choices(const Node& node) const;
   Result<SplitGraph> attempt(std::vector<Misfits>& conflicts) const;
   Index sharer(const Delaunay2& dt, Index node) const;
   Misfits nodes_at(const SplitGraph& split, std::span<const Index> vertices) const;
@@ -57,7 +55,7 @@ class Splitter {
   void move_by_chance(const std::vector<Misfits>& conflicts);
   Result<SplitGraph> search_in_order(std::vector<Misfits>& conflicts);
   Result<SplitGraph> search_by_chance(std::vector<Misfits>& conflicts);
-  Error refusal(Index node) const;
+  Result<SplitGraph> snap();
 
   std::span<const Point2> points_;
   std::span<const Segment> segments_;
@@ -65,7 +63,6 @@ class Splitter {
   std::vector<Index> node_of_;  // of each crossing pair
   std::vector<Node> nodes_;     // ascending by x, then y
   std::vector<std::vector<Index>> chains_;
-  Demand demand_ = Demand::kSameVertices;
   Random random_{1};
 };
 
@@ -123,20 +120,25 @@ void Splitter::chain_segments() {
   }
 }
 
-// Gives the node the roundings of its crossing that lie within the hull.
+// Gives the node the roundings of its crossing that lie within the hull; all if none does.
 void set_candidates(Node& node, const Crossing& crossing, const Delaunay2& bare) {
   const RoundedCrossing rounded = round_crossing(crossing);
+  const std::span<const Point2> all(rounded.points.data(), rounded.exact ? 1 : rounded.count);
   std::vector<Point2> taken;
+  bool nearest_is_taken = false;
   Index hint = 0;
-  for (int i = 0; i < (rounded.exact ? 1 : rounded.count); ++i) {
-    const Delaunay2::Location found = bare.locate(rounded.points[i], hint);
+  for (const Point2 p : all) {
+    const Delaunay2::Location found = bare.locate(p, hint);
     hint = found.edge.triangle;
     if (found.place == Delaunay2::Place::kOutside) continue;
-    (found.place == Delaunay2::Place::kVertex ? taken : node.candidates)
-        .push_back(rounded.points[i]);
+    const bool is_taken = found.place == Delaunay2::Place::kVertex;
+    if (node.candidates.empty() && taken.empty()) nearest_is_taken = is_taken;
+    (is_taken ? taken : node.candidates).push_back(p);
   }
   node.free_candidates = node.candidates.size();
+  node.nearest = nearest_is_taken ? node.free_candidates : 0;
   node.candidates.insert(node.candidates.end(), taken.begin(), taken.end());
+  if (node.candidates.empty()) node.candidates.assign(all.begin(), all.end());
 }
 
 Status Splitter::find_candidates() {
@@ -144,36 +146,15 @@ Status Splitter::find_candidates() {
   if (!bare) return bare.error();
   for (std::size_t k = 0; k < node_of_.size(); ++k) {
     Node& node = nodes_[node_of_[k]];
-    if (!node.candidates.empty()) continue;
-    set_candidates(node, crossing(network_.crossings[k]), *bare);
-    if (node.candidates.empty()) return refusal(node_of_[k]);
+    if (node.candidates.empty()) set_candidates(node, crossing(network_.crossings[k]), *bare);
   }
   return Ok{};
-}
-
-Error Splitter::refusal(Index node) const {
-  const auto [s, t] = nodes_[node].segment;
-  const char* reason =
-      nodes_[node].candidates.empty()
-          ? " cross where all doubles within 2 units in the last place lie outside the points' hull"
-          : " cross where no doubles within 2 units in the last place were found that keep the "
-            "segments around in order";
-  return {ErrorCode::kInvalidGeometry,
-          "segments " + std::to_string(s) + " and " + std::to_string(t) + reason +
-              "; scale the input up to whole numbers, or move one of them",
-          {s, t}};
 }
 
 std::vector<Point2> Splitter::all_points() const {
   std::vector<Point2> all(points_.begin(), points_.end());
   for (const Node& node : nodes_) all.push_back(node.candidates[node.choice]);
   return all;
-}
-
-// How many of its roundings a crossing may have now.
-std::size_t Splitter::choices(const Node& node) const {
-  const bool any = demand_ == Demand::kValid || node.free_candidates == 0;
-  return any ? node.candidates.size() : node.free_candidates;
 }
 
 // An earlier crossing that has been rounded to the same point, or kNoIndex.
@@ -183,7 +164,7 @@ Index Splitter::sharer(const Delaunay2& dt, Index node) const {
   return vertex == first_node + node || vertex < first_node ? kNoIndex : vertex - first_node;
 }
 
-// Triangulates with the present choices. Fails with what has to move in `conflicts`.
+// Triangulates with the present choices. What would have to move is in `conflicts`.
 Result<SplitGraph> Splitter::attempt(std::vector<Misfits>& conflicts) const {
   conflicts.clear();
   Result<Delaunay2> built = Delaunay2::build(all_points());
@@ -193,8 +174,7 @@ Result<SplitGraph> Splitter::attempt(std::vector<Misfits>& conflicts) const {
     if (const Index other = sharer(split.delaunay, node); other != kNoIndex)
       conflicts.push_back({other, node});
   for (const std::vector<Index>& chain : chains_) {
-    split.chains.emplace_back(chain.begin(), chain.begin() + 1);
-    std::vector<Index>& refined = split.chains.back();
+    auto& edges = split.edges.emplace_back();
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       const Result<std::vector<Index>> path =
           split.delaunay.insert_constraint(chain[i], chain[i + 1]);
@@ -202,13 +182,12 @@ Result<SplitGraph> Splitter::attempt(std::vector<Misfits>& conflicts) const {
         conflicts.push_back(nodes_at(split, path.error().ids));
         continue;
       }
-      if (path->size() > 2 && demand_ == Demand::kSameVertices)
-        conflicts.push_back(nodes_at(split, *path));
-      refined.insert(refined.end(), path->begin() + 1, path->end());
+      if (path->size() > 2) conflicts.push_back(nodes_at(split, *path));
+      for (std::size_t k = 0; k + 1 < path->size(); ++k)
+        edges.push_back({(*path)[k], (*path)[k + 1]});
     }
   }
-  if (conflicts.empty()) return split;
-  return refusal(conflicts.front().front());
+  return split;
 }
 
 // The crossings among vertices in each other's way, perhaps on an input point; or else those of the
@@ -230,10 +209,11 @@ Misfits Splitter::nodes_at(const SplitGraph& split, std::span<const Index> verti
 // Adds the crossings on the segments that have the edge from c to d.
 void Splitter::add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Misfits& nodes) const {
   const Index first_node = static_cast<Index>(points_.size());
-  const auto is_edge = [&](Index u, Index v) { return (u == c && v == d) || (u == d && v == c); };
-  for (std::size_t s = 0; s < split.chains.size(); ++s) {
-    const std::vector<Index>& refined = split.chains[s];
-    if (std::adjacent_find(refined.begin(), refined.end(), is_edge) == refined.end()) continue;
+  const auto is_edge = [&](std::array<Index, 2> e) {
+    return (e[0] == c && e[1] == d) || (e[0] == d && e[1] == c);
+  };
+  for (std::size_t s = 0; s < split.edges.size(); ++s) {
+    if (std::none_of(split.edges[s].begin(), split.edges[s].end(), is_edge)) continue;
     for (const Index v : chains_[s])
       if (v >= first_node) nodes.push_back(v - first_node);
   }
@@ -252,8 +232,8 @@ bool Splitter::move_on(const std::vector<Misfits>& conflicts) {
   bool moved = false;
   for (const Index k : blamed) {
     Node& node = nodes_[k];
-    node.choice = (node.choice + 1) % choices(node);
-    moved |= choices(node) > 1;
+    node.choice = (node.choice + 1) % node.choices();
+    moved |= node.choices() > 1;
   }
   return moved;
 }
@@ -269,7 +249,7 @@ void Splitter::move_by_chance(const std::vector<Misfits>& conflicts) {
   for (const Misfits& nodes : conflicts) {
     if (random_.below(2) == 0) continue;
     Node& node = nodes_[nodes[random_.below(nodes.size())]];
-    node.choice = random_.below(choices(node));
+    node.choice = random_.below(node.choices());
   }
 }
 
@@ -291,18 +271,25 @@ Result<SplitGraph> Splitter::search_by_chance(std::vector<Misfits>& conflicts) {
   return split;
 }
 
+// All crossings where they round to, equal ones merged, and the segments bent where that brought
+// them across each other.
+Result<SplitGraph> Splitter::snap() {
+  for (Node& node : nodes_) node.choice = node.nearest;
+  Result<Delaunay2> built = Delaunay2::build(all_points());
+  if (!built) return built.error();
+  Result<SegmentEdges> edges = bend_chains(*built, segments_, chains_);
+  if (!edges) return edges.error();
+  return SplitGraph{std::move(*built), std::move(*edges)};
+}
+
 Result<SplitGraph> Splitter::run() {
   number_nodes();
   chain_segments();
   if (Status status = find_candidates(); !status) return status.error();
   std::vector<Misfits> conflicts;
-  for (const Demand demand : {Demand::kSameVertices, Demand::kValid}) {
-    demand_ = demand;
-    Result<SplitGraph> split = search_in_order(conflicts);
-    if (!conflicts.empty()) split = search_by_chance(conflicts);
-    if (conflicts.empty() || demand == Demand::kValid) return split;
-  }
-  return refusal(0);  // not reached
+  Result<SplitGraph> split = search_in_order(conflicts);
+  if (!conflicts.empty()) split = search_by_chance(conflicts);
+  return conflicts.empty() ? std::move(split) : snap();
 }
 
 }  // namespace

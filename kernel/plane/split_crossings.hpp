@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/plane/bend_chains.hpp"
 #include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/plane/segment_network.hpp"
 #include "wellspaced/kernel/result.hpp"
@@ -12,25 +13,25 @@
 namespace wellspaced {
 
 /// delaunay: the constrained Delaunay triangulation of the points and the crossings, which are
-/// numbered behind them. chains: for each segment the vertices along it.
+/// numbered behind them. edges: those of each segment.
 struct SplitGraph {
   Delaunay2 delaunay;
-  std::vector<std::vector<Index>> chains;
+  SegmentEdges edges;
 };
 
 /// Splits the segments at their crossings.
 ///
 /// Which crossings coincide, and their order along each segment, is decided exactly. Each distinct
-/// crossing becomes one point, at the doubles nearest to it where the result is then a
-/// triangulation: no crossing outside the points' hull, no chains that cross, no two crossings at
-/// one point. Where they do, the crossings at fault are moved to other doubles within 2 units in
-/// the last place, and only if these will not do onto an input point there.
+/// crossing becomes one point within 2 units in the last place of it, and within the points' hull
+/// where a double there is, such that the result is a triangulation; that is proven by building it.
 ///
-/// First each crossing at fault moves to its next rounding, some 25 times; then to one by chance,
-/// as often and, for few points, a few thousand times.
+/// First a rounding is sought that changes nothing but coordinates: no two crossings at one point,
+/// none on an input point, no vertex on a segment that does not exactly lie on it. Each crossing in
+/// the way moves to its next rounding, some 25 times; then to one by chance, as often and, for few
+/// points, a few thousand times. Where none is found, every crossing goes to its nearest double,
+/// those that meet there are one vertex, and segments that then cross are bent (bend_chains.hpp).
 ///
-/// Errors: kInvalidGeometry with the ids of two segments that cross where all these doubles lie
-/// outside the hull, or that no rounding tried keeps apart: the message says which.
+/// Errors: kInvalidGeometry with the ids of two segments that cannot be bent apart.
 /// Cost: O(k log k) exact comparisons for k crossings, and a triangulation for each attempt.
 Result<SplitGraph> split_at_crossings(std::span<const Point2> points,
                                       std::span<const Segment> segments,

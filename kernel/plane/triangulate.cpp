@@ -100,8 +100,9 @@ Status resolve_crossings(const Pslg& graph, CrossingRule rule, PlanarTriangulati
   result.added_points = static_cast<Index>(split->delaunay.points().size() - graph.points.size());
   result.delaunay = std::move(split->delaunay);
   result.segments.clear();
-  for (std::size_t s = 0; s < split->chains.size(); ++s)
-    add_pieces(split->chains[s], graph.segments[s].marker, result.segments);
+  for (std::size_t s = 0; s < split->edges.size(); ++s)
+    for (const auto& [a, b] : split->edges[s])
+      result.segments.push_back({std::min(a, b), std::max(a, b), graph.segments[s].marker});
   return Ok{};
 }
 

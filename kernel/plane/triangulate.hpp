@@ -58,13 +58,16 @@ struct PlanarTriangulation {
 /// decisions are exact. A crossing of segments that is no double is rounded: concurrent segments
 /// share one vertex all the same, it lies within 2 units in the last place of the exact point, and
 /// the result is a valid triangulation in which every input segment is a chain of edges. Where
-/// rounding to the nearest doubles would break that, other doubles within 2 units are tried; if
-/// none will do, the operation is refused. Winding never matters.
+/// rounding to the nearest doubles would break that, other doubles within 2 units are tried. Where
+/// none of those tried will do, as among segments nearly along one line, crossings may share a
+/// double or lie on an input point, and segments are bent: their edges still connect their ends,
+/// through vertices within two doubles of the exact segment. An input point that no segment ends at
+/// may then change sides. Winding never matters.
 ///
 /// Errors: kInvalidGeometry for a coordinate that is not finite (ids: points), a segment whose end
 /// is no point (ids: segments), with kRefuse for crossings (ids: the segments of each pair in
-/// turn), with kSplit where the crossings cannot be rounded (ids: segments). kLimit beyond 2^28
-/// points, crossings included. kCancelled.
+/// turn), with kSplit where segments cannot be bent apart (ids: two segments; not seen so far).
+/// kLimit beyond 2^28 points, crossings included. kCancelled.
 /// Cost: O(n log n) expected for n points, plus the triangles that segments cross.
 /// Audit: constrained_delaunay, embedding, conformity.
 Result<PlanarTriangulation> triangulate(const Pslg& graph, const TriangulateOptions& options = {});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <utility>
@@ -73,6 +74,28 @@ inline bool is_within_two_ulp(double p, const SlowInteger& x, const SlowInteger&
   const SlowInteger ulp = integer(std::nextafter(below, HUGE_VAL)) - integer(below);
   const SlowInteger error = integer(p) * w - x, bound = ulp * w + ulp * w;
   return error <= bound && -error <= bound;
+}
+
+/// Whether segment ab has a point within two doubles of p in each coordinate.
+inline bool slow_passes_near(Point2 a, Point2 b, Point2 p) {
+  const auto two_on = [](double x, double towards) {
+    return std::nextafter(std::nextafter(x, towards), towards);
+  };
+  const double most = std::numeric_limits<double>::max();
+  const double left = two_on(p.x, -most), right = two_on(p.x, most);
+  const double low = two_on(p.y, -most), high = two_on(p.y, most);
+  const auto reaches = [](double c, double d, double from, double to) {
+    return std::max(c, d) >= from && std::min(c, d) <= to;
+  };
+  if (!reaches(a.x, b.x, left, right) || !reaches(a.y, b.y, low, high)) return false;
+  int least = 1, most_left = -1;
+  for (const double x : {left, right})
+    for (const double y : {low, high}) {
+      const int side = slow_turn(slow_point(a), slow_point(b), slow_point({x, y}));
+      least = std::min(least, side);
+      most_left = std::max(most_left, side);
+    }
+  return least <= 0 && most_left >= 0;
 }
 
 /// Points of the plane with all that can be said of them by trying.
