@@ -102,6 +102,17 @@ TEST(Determinism, OfSplitCrossings) {
       "90e443bfea34fb786cb0bb3a3f5d2c0d9b991630d6d03dce09fd62dc199c7dd6");
 }
 
+// Along nearly one line: no rounding keeps these segments apart, so that they are bent.
+TEST(Determinism, OfBentSegments) {
+  Pslg graph;
+  for (const Point2 p : random_points(80, 4)) graph.points.push_back({p.x, p.x / 3});
+  for (Index i = 0; i + 1 < 80; i += 2) graph.segments.push_back({i, i + 1, 1});
+  const PlanarTriangulation result = *triangulate(graph);
+  EXPECT_EQ(
+      Bytes().add(result.delaunay.points()).add(result.triangles()).add(result.segments).hash(),
+      "2033c5b4691c028f1482a203d6384fde720cc37d42053da4668bb64e3e929840");
+}
+
 TEST(Determinism, OfGeneratedMeshes) {
   Bytes bytes;
   for (const GradedDomain domain :
