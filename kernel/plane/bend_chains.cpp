@@ -28,7 +28,7 @@ double stepped(double x, int steps, double towards) {
 }
 
 // Whether segment ab meets the box that reaches so many doubles from p to each side.
-bool passes_near(Point2 a, Point2 b, Point2 p, int steps) {
+bool meets_box_of(Point2 a, Point2 b, Point2 p, int steps) {
   constexpr double kEnd = std::numeric_limits<double>::max();
   const Point2 low{stepped(p.x, steps, -kEnd), stepped(p.y, steps, -kEnd)};
   const Point2 high{stepped(p.x, steps, kEnd), stepped(p.y, steps, kEnd)};
@@ -108,7 +108,7 @@ bool ChainBender::can_pass(std::span<const Index> segments, Index v, Ends ends, 
   };
   return std::all_of(segments.begin(), segments.end(), [&](Index s) {
     const Point2 a = p[segments_[s].a], b = p[segments_[s].b];
-    return (place == BendPlace::kAnywhere || is_between(a, b)) && passes_near(a, b, p[v], steps);
+    return (place == BendPlace::kAnywhere || is_between(a, b)) && meets_box_of(a, b, p[v], steps);
   });
 }
 
