@@ -196,6 +196,9 @@ void RuleCheck::check_wings(Index s) {
   }
 }
 
+// The least cosine that counts as an angle of 0.
+constexpr double kOverlapping = 1 - 1e-12;
+
 double extent_of(const PolyhedralComplex& complex) {
   if (complex.points.empty()) return 0;
   Point3 low = complex.points[0], high = low;
@@ -224,11 +227,56 @@ Index point_of(const RuleViolation& violation, const PolyhedralComplex& complex)
 std::string description(const RuleViolation& violation, const PolyhedralComplex& complex) {
   const std::string both = name_of(violation.a, complex) + " and " + name_of(violation.b, complex);
   if (violation.place == kNoIndex) return both + " intersect";
+  const std::string at = " at point " + std::to_string(violation.place);
+  if (violation.cosine > kOverlapping) return both + " overlap" + at;
   const double c = std::clamp(violation.cosine, -1.0, 1.0);
   const double angle = arccotangent_deg(c / std::sqrt(1 - c * c));
   std::string digits = std::to_string(angle);
   digits.resize(digits.find('.') + 3);
-  return both + " meet at " + digits + " degrees at point " + std::to_string(violation.place);
+  return both + " meet at " + digits + " degrees" + at;
+}
+
+// The worst violations, each pair of polytopes once.
+std::string worst_of(const std::vector<RuleViolation>& sorted, const PolyhedralComplex& complex) {
+  constexpr std::size_t kNamed = 3;
+  std::vector<const RuleViolation*> named;
+  std::string text;
+  for (const RuleViolation& next : sorted) {
+    if (std::any_of(named.begin(), named.end(),
+                    [&](const RuleViolation* one) { return one->a == next.a && one->b == next.b; }))
+      continue;
+    if (named.size() == kNamed) return text + "; and more";
+    text += (named.empty() ? "" : "; ") + description(next, complex);
+    named.push_back(&next);
+  }
+  return text;
+}
+
+// The elements of a sorted list that are in it once.
+std::vector<std::array<Index, 2>> lone_ones(std::vector<std::array<Index, 2>> edges) {
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::array<Index, 2>> lone;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool is_first = i == 0 || edges[i] != edges[i - 1];
+    if (is_first && (i + 1 == edges.size() || edges[i] != edges[i + 1])) lone.push_back(edges[i]);
+  }
+  return lone;
+}
+
+// The number of edges that bound one facet only: none if the facets close up everywhere.
+std::size_t count_free_edges(const PolyhedralComplex& complex) {
+  std::vector<std::array<Index, 2>> bounds;
+  for (const PolyhedralComplex::Facet& facet : complex.facets) {
+    std::vector<std::array<Index, 2>> edges;
+    for (const auto& triangle : facet.triangles)
+      for (unsigned i = 0; i < 3; ++i) {
+        const Index a = triangle[i], b = triangle[(i + 1) % 3];
+        edges.push_back({std::min(a, b), std::max(a, b)});
+      }
+    const auto own = lone_ones(std::move(edges));
+    bounds.insert(bounds.end(), own.begin(), own.end());
+  }
+  return lone_ones(std::move(bounds)).size();
 }
 
 }  // namespace
@@ -245,20 +293,21 @@ std::vector<RuleViolation> find_rule_violations(const PolyhedralComplex& complex
 }
 
 Error rule_error(const std::vector<RuleViolation>& violations, const PolyhedralComplex& complex) {
-  constexpr std::size_t kNamed = 3;
   std::vector<RuleViolation> worst = violations;
   std::stable_sort(worst.begin(), worst.end(), [](const RuleViolation& a, const RuleViolation& b) {
     return a.cosine > b.cosine;
   });
   Error error{ErrorCode::kInvalidGeometry, "", {}};
-  error.message = std::to_string(worst.size()) +
-                  (worst.size() == 1 ? " pair of polytopes breaks" : " pairs of polytopes break") +
-                  " the rule of 90 degrees: ";
-  for (std::size_t i = 0; i < worst.size(); ++i) {
-    if (i < kNamed) error.message += (i > 0 ? "; " : "") + description(worst[i], complex);
-    error.ids.push_back(point_of(worst[i], complex));
-  }
-  if (worst.size() > kNamed) error.message += "; and more";
+  for (const RuleViolation& violation : worst) error.ids.push_back(point_of(violation, complex));
+  const bool is_one = worst.size() == 1, intersects = worst[0].cosine > kOverlapping;
+  error.message = std::to_string(worst.size()) + (is_one ? " pair" : " pairs") + " of polytopes " +
+                  (intersects ? "intersect or meet at"
+                   : is_one   ? "meets at"
+                              : "meet at") +
+                  " less than 90 degrees: " + worst_of(worst, complex);
+  if (const std::size_t free = count_free_edges(complex); free > 0)
+    error.message += "; " + std::to_string(free) + (free == 1 ? " edge bounds" : " edges bound") +
+                     " one facet only: is a facet missing?";
   return error;
 }
 

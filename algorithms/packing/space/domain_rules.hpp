@@ -34,9 +34,9 @@ std::vector<RuleViolation> find_rule_violations(const PolyhedralComplex& complex
                                                 const FeatureSize3& features, double tolerance,
                                                 std::size_t most);
 
-/// The faults as one error: how many, and the worst with its polytopes and angle; polytopes by the
-/// domain's numbers (ids: the points where they meet, or else those of the first polytope).
-/// Requires: at least one.
+/// The faults as one error: how many, the worst with their polytopes and angles, and how many edges
+/// bound one facet only, where a facet may be missing; polytopes by the domain's numbers (ids: the
+/// points where they meet, or else those of the first polytope). Requires: at least one.
 Error rule_error(const std::vector<RuleViolation>& violations, const PolyhedralComplex& complex);
 
 }  // namespace wellspaced

@@ -84,7 +84,8 @@ void describe_outside(const PolyhedralComplex& complex, const PackedSurface& sur
   std::size_t outside = 0;
   for (std::size_t v = 0; v < is_node.size(); ++v) outside += complex.is_vertex[v] && !is_node[v];
   if (outside > 0)
-    notes.push_back(std::to_string(outside) + " points are in no solid and left out");
+    notes.push_back(std::to_string(outside) + (outside == 1 ? " point is" : " points are") +
+                    " in no solid and left out");
   if (packed.mesh.segments.size() < surface.pieces.size())
     notes.push_back("segments, or parts of them, are in no solid and left out");
 }

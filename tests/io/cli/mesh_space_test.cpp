@@ -177,7 +177,7 @@ TEST(MeshCommandInSpace, ReportsWhatIsNoDomainAndWritesNothing) {
   inside += "9 0.5 0.5 0.5\n10 1 0.5 0.5\n11 0.5 1 0.5\n12 0.5 1 1\n";
   const std::pair<std::string, const char*> cases[] = {
       {cube(5), "the surface is open"},
-      {cube(6, {"4 1 2 4 3"}), "meet at 0.00 degrees"},
+      {cube(6, {"4 1 2 4 3"}), "overlap at point"},
       {cube(6, {"3 9 10 11", "3 9 10 12"}, inside), "meet at 30.00 degrees"},
       {cube(6, {"3 9 10 11"}, crossing), "intersect"},
       {cube(6, {"3 1 2 2"}), "encloses no area"},

@@ -75,6 +75,20 @@ TEST(DomainRules, FindFacetsThatCoincide) {
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const RuleViolation& v) {
     return names(v, 2, 0) && names(v, 2, 6) && v.cosine > 1 - 1e-12;
   }));
+  const std::string message = rule_error(found, judged(domain).complex).message;
+  EXPECT_EQ(message,
+            "4 pairs of polytopes intersect or meet at less than 90 degrees: facet 0 and facet 6 "
+            "overlap at point 0");
+}
+
+TEST(DomainRules, TellOfEdgesWhereAFacetMayBeMissing) {
+  Pls domain = test::triangulated_cube();
+  domain.facets.pop_back();
+  const auto judgement = judged(domain);
+  const std::string message = rule_error(judgement.violations, judgement.complex).message;
+  EXPECT_NE(message.find("meet at 45.00 degrees"), message.npos) << message;
+  EXPECT_NE(message.find("; 3 edges bound one facet only: is a facet missing?"), message.npos)
+      << message;
 }
 
 TEST(DomainRules, FindBoxesThatIntersect) {
