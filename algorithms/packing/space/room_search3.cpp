@@ -29,7 +29,7 @@ bool spheres_meet(const Sphere& a, const Sphere& b) {
 
 }  // namespace
 
-double RoomSearch3::Plane::height(Point3 p) const { return dot(outwards, p) - offset; }
+double RoomSearch3::Plane::height(Point3 p) const { return dot(outwards, p - on); }
 
 RoomSearch3::RoomSearch3(const Packing3& packing) : packing_(packing) {
   packing_.slope = std::min(packing_.slope, 1.0);
@@ -57,8 +57,7 @@ RoomSearch3::Cell RoomSearch3::look_at(const std::array<Index, 4>& corners) {
     const auto& [j, k, l] = Triangulation3::kFacetCorners[i];
     const Point3 a = point(corners[j]);
     const Point3 normal = cross(point(corners[k]) - a, point(corners[l]) - a);
-    faces_[i].outwards = (1 / length(normal)) * normal;
-    faces_[i].offset = dot(faces_[i].outwards, a);
+    faces_[i] = {a, (1 / length(normal)) * normal};
   }
   const Point3 size = high - low;
   return {0.5 * (low + high), 0.5 * std::max({size.x, size.y, size.z})};

@@ -53,8 +53,7 @@ class RoomSearch3 {
     static constexpr double kRootOfThree = 1.7320508075688773;
   };
   struct Plane {
-    Point3 outwards;  // of length 1
-    double offset = 0;
+    Point3 on, outwards;  // a point, and the normal of length 1
     double height(Point3 p) const;
   };
 
