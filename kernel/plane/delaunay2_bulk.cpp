@@ -36,8 +36,8 @@ constexpr std::size_t kUsualStar = 64;
 
 // A round of fewer points is not worth dividing.
 constexpr Index kRoundWorthDividing = Index{1} << 14;
-// So many points of a region are tried to find a triangle of it.
-constexpr Index kStartsToTry = 64;
+// So many places are known in each region where a walk may start.
+constexpr Index kStarts = 256;
 
 constexpr Index kGhostVertex = Triangulation2::kGhost;
 // Marks a link that leads into a border triangle. No edge is constrained yet, so the bit is free.
@@ -78,6 +78,7 @@ class PointInserter {
     ghost_sq_ = predicate_filter::lifted(points[v[0]], points[v[1]]).sq;
   }
 
+  // The next walk starts at triangle `hint`; kNoIndex: there is no way.
   void start_at(Index hint) { hint_ = hint; }
 
   // The triangle that point v lies in or on, or the ghost that it lies strictly beyond.
@@ -91,6 +92,7 @@ class PointInserter {
   // vertex twin(). kFenced: the fence was met. In both cases nothing is changed.
   // Cost: the walk from the last point, and the degree of the new vertex.
   Outcome insert(Index v, Index first_new, Index next) {
+    if (hint_ == kNoIndex) return Outcome::kFenced;
     p_ = points_[v];
     const SeenTriangle place = walk(hint_);
     if (place.link & kFence) return Outcome::kFenced;
@@ -342,7 +344,9 @@ class BulkInsertion {
     std::uint8_t number;
     Index begin, end;       // the points to insert
     Index first_new, next;  // the numbers of their triangles, two a point, and the next of these
-    Index hint = kNoIndex;  // a triangle of the region; kNoIndex if none was found
+    // Triangles near the middle of each of kStarts stretches of the points; kNoIndex where the
+    // region does not own it.
+    std::vector<Index> starts = {};
     std::vector<Index> deferred = {};
     std::vector<Duplicate> duplicates = {};
   };
@@ -402,20 +406,22 @@ class BulkInsertion {
     std::vector<Region> regions;
     for (std::uint8_t r = 0; r < ends.size(); begin = ends[r++]) {
       Region& region = regions.emplace_back(Region{r, begin, ends[r], used_, used_});
-      region.hint = first_triangle(region);
+      for (Index k = 0; k < kStarts; ++k) region.starts.push_back(start_in(region, k));
       used_ += 2 * (region.end - begin);
     }
     return regions;
   }
 
-  // A triangle that the region owns, or kNoIndex if none is found near its first points.
-  Index first_triangle(const Region& region) {
-    const Index end = std::min(region.end, region.begin + kStartsToTry);
-    for (Index v = region.begin; v < end; ++v) {
-      const Index t = inserters_[0].locate(v);
-      if (owner(triangles_[t]) == region.number) return t;
-    }
-    return kNoIndex;
+  static Index stretch_length(const Region& region) {
+    return (region.end - region.begin) / kStarts + 1;
+  }
+
+  Index start_in(const Region& region, Index stretch) {
+    const Index length = stretch_length(region);
+    const Index middle = region.begin + stretch * length + length / 2;
+    if (middle >= region.end) return kNoIndex;
+    const Index t = inserters_[0].locate(middle);
+    return owner(triangles_[t]) == region.number ? t : kNoIndex;
   }
 
   std::vector<Index> border_triangles() const {
@@ -435,16 +441,18 @@ class BulkInsertion {
     }
   }
 
+  // After each point that is deferred the walk starts afresh: a straight way from the last vertex
+  // may lead over the fence again and again.
   void fill(Region& region, Inserter& inserter) const {
-    inserter.start_at(region.hint);
+    bool is_lost = true;
     for (Index v = region.begin; v < region.end; ++v) {
       if (is_first(v)) continue;
-      const auto outcome = region.hint == kNoIndex
-                               ? Outcome::kFenced
-                               : inserter.insert(v, region.next, std::min(v + 1, region.end - 1));
+      if (is_lost) inserter.start_at(region.starts[(v - region.begin) / stretch_length(region)]);
+      const Outcome outcome = inserter.insert(v, region.next, std::min(v + 1, region.end - 1));
       if (outcome == Outcome::kInserted) region.next += 2;
       if (outcome == Outcome::kTwin) region.duplicates.push_back({v, inserter.twin()});
       if (outcome == Outcome::kFenced) region.deferred.push_back(v);
+      is_lost = outcome == Outcome::kFenced;
     }
   }
 
