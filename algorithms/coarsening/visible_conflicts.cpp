@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "wellspaced/algorithms/mesh/sight_search.hpp"
 #include "wellspaced/kernel/distance.hpp"
 
 namespace wellspaced {

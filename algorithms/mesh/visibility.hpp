@@ -1,9 +1,6 @@
 // Who sees whom inside the domain of a mesh?
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "wellspaced/algorithms/mesh/triangle_links.hpp"
@@ -55,36 +52,6 @@ class Visibility {
 
   const TriangleMesh& mesh_;
   TriangleLinks links_;
-};
-
-/// Collects what a node sees within a radius, one node after the other in the same workspace.
-/// Requires: the Visibility outlives it. Memory: 8 bytes a node and triangle.
-class SightSearch {
- public:
-  explicit SightSearch(const Visibility& visibility);
-
-  /// The nodes that node p sees within distance `radius`, itself included, each once.
-  /// Valid until the next call.
-  /// Cost: linear in the triangles that the disc meets; where walls of the domain turn their back
-  /// to p inside the disc, one line of sight for each node that may lie in their shadow besides.
-  std::span<const Index> run(Index p, double radius);
-
- private:
-  void flood(Index p, double radius);
-  void enter_around(Index node);
-  void enter(Index triangle);
-  void visit_node(Index node, Index p, double radius);
-  void cast_shadows(Point2 p);
-  bool may_be_hidden(Point2 q, Point2 p) const;
-  bool edge_meets_disc(Index a, Index b, Point2 centre, double radius) const;
-
-  const Visibility& visibility_;
-  std::vector<std::uint32_t> node_stamp_, triangle_stamp_;
-  std::uint32_t stamp_ = 0;
-  std::vector<Index> nodes_, triangles_;
-  std::vector<std::array<Index, 2>> backs_;  // walls in the disc that have their outside towards p
-  static constexpr int kSectors = 256;
-  std::array<double, kSectors> shadow_{};  // where shadows begin, by direction
 };
 
 }  // namespace wellspaced

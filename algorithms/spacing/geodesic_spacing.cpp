@@ -1,8 +1,11 @@
 #include "wellspaced/algorithms/spacing/geodesic_spacing.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 
+#include "wellspaced/algorithms/mesh/sight_cones.hpp"
 #include "wellspaced/algorithms/spacing/graph_spacing.hpp"
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
 #include "wellspaced/kernel/distance.hpp"
@@ -39,67 +42,76 @@ GeodesicCoarseningFunction::GeodesicCoarseningFunction(const Visibility& visibil
                                                        std::span<const double> spacing,
                                                        double factor)
     : visibility_(visibility),
-      graph_values_(coarsened_spacing(graph, spacing, factor)),
-      cones_(visibility.mesh().points, scaled(spacing, factor)) {
-  settle_bends();
-}
-
-std::vector<double> GeodesicCoarseningFunction::at_nodes() const {
-  std::vector<double> values(cones_.size());
-  cones_.for_each_along_curve([&](Index v) { values[v] = at_node(v); });
-  return values;
+      own_(scaled(spacing, factor)),
+      values_(coarsened_spacing(graph, spacing, factor)),
+      cones_({}) {
+  const std::vector<std::uint8_t> is_bend = bends();
+  spread_cones(is_bend);
+  cones_ = SiteTree(visibility.mesh().points, weights_of_sources(is_bend));
 }
 
 double GeodesicCoarseningFunction::operator()(Point2 x, Index at) const {
   double bound = std::numeric_limits<double>::infinity();
   for (const Index v : visibility_.mesh().triangles[at])
-    bound = std::min(bound, graph_values_[v] + distance(x, visibility_.mesh().points[v]));
-  return lowest_seen(x, bound, [&](Index q) { return visibility_.sees(x, at, q); });
-}
-
-// The lowest cone over x of all that x sees; `bound` if they are higher. Mostly it is the lowest of
-// all, and one line of sight says so.
-template <class Sees>
-double GeodesicCoarseningFunction::lowest_seen(Point2 x, double bound, Sees sees) const {
-  Index q = cones_.nearest(x, bound, [](Index) { return true; });
-  if (q != kNoIndex && !sees(q)) q = cones_.nearest(x, bound, sees);
+    bound = std::min(bound, values_[v] + distance(x, visibility_.mesh().points[v]));
+  const Index q = cones_.nearest(x, bound, [&](Index v) { return visibility_.sees(x, at, v); });
   return q == kNoIndex ? bound : std::min(bound, weighted_distance(cones_.site(q), x));
 }
 
-double GeodesicCoarseningFunction::at_node(Index v) const {
-  return lowest_seen(visibility_.mesh().points[v], graph_values_[v],
-                     [&](Index q) { return visibility_.sees(v, q); });
-}
-
-// Nodes where the domain takes up more than a half turn, or where several curves meet.
-std::vector<Index> GeodesicCoarseningFunction::bends() const {
+// Nodes where the domain takes up no less than a half turn, or where several curves meet.
+std::vector<std::uint8_t> GeodesicCoarseningFunction::bends() const {
   const TriangleMesh& mesh = visibility_.mesh();
   const std::vector<BoundaryNode> nodes = boundary_nodes(mesh, visibility_.links());
-  std::vector<Index> result;
+  std::vector<std::uint8_t> is_bend(nodes.size(), 0);
   for (Index v = 0; v < nodes.size(); ++v) {
     const auto& [before, after, curves] = nodes[v];
     if (curves == 0) continue;
-    if (curves > 1 || before == kNoIndex ||
-        orient2d(mesh.points[before], mesh.points[v], mesh.points[after]) <= 0)
-      result.push_back(v);
+    is_bend[v] = curves > 1 || before == kNoIndex ||
+                 orient2d(mesh.points[before], mesh.points[v], mesh.points[after]) <= 0;
   }
-  return result;
+  return is_bend;
 }
 
-// A path takes each bend once, so there are no more rounds than bends.
-void GeodesicCoarseningFunction::settle_bends() {
-  const std::vector<Index> bent = bends();
-  for (const Index v : bent) cones_.lower_weight(v, graph_values_[v]);
-  bool lowered = true;
-  for (std::size_t round = 0; lowered && round < bent.size(); ++round) {
-    lowered = false;
-    for (const Index v : bent) {
-      const double value = at_node(v);
-      if (!(value < cones_.site(v).weight)) continue;
-      cones_.lower_weight(v, value);
-      lowered = true;
-    }
+// A cone is lowest at a point behind an edge only if it is so where the line of sight crosses the
+// edge: there no higher than a path from either end.
+void GeodesicCoarseningFunction::spread_cones(std::span<const std::uint8_t> is_bend) {
+  const std::vector<Point2>& points = visibility_.mesh().points;
+  std::vector<std::pair<double, Index>> queue;
+  const auto push = [&](Index v) {
+    queue.emplace_back(values_[v], v);
+    std::push_heap(queue.begin(), queue.end(), std::greater<>());
+  };
+  for (Index v = 0; v < values_.size(); ++v)
+    if (is_bend[v] || values_[v] == own_[v]) push(v);
+  SightCones sight(visibility_);
+  while (!queue.empty()) {
+    std::pop_heap(queue.begin(), queue.end(), std::greater<>());
+    const auto [weight, q] = queue.back();
+    queue.pop_back();
+    if (weight != values_[q]) continue;
+    const auto height = [&, weight = weight, q = q](Index v) {
+      return weight + distance(points[q], points[v]);
+    };
+    const auto may_be_lowest = [&](Index a, Index b) {
+      const double length = distance(points[a], points[b]);
+      return height(b) < values_[a] + length && height(a) < values_[b] + length;
+    };
+    sight.spread(q, may_be_lowest, [&](Index v) {
+      if (!(height(v) < values_[v])) return;
+      values_[v] = height(v);
+      if (is_bend[v]) push(v);
+    });
   }
+}
+
+// What is lowest at its own node, and bends, with f for their weight: no other cone is the lowest
+// anywhere by more than these are.
+std::vector<double> GeodesicCoarseningFunction::weights_of_sources(
+    std::span<const std::uint8_t> is_bend) const {
+  std::vector<double> weights = values_;
+  for (Index v = 0; v < weights.size(); ++v)
+    if (!is_bend[v] && values_[v] != own_[v]) weights[v] = std::numeric_limits<double>::infinity();
+  return weights;
 }
 
 std::vector<double> geodesic_coarsened_spacing(const Visibility& visibility, const Graph& graph,

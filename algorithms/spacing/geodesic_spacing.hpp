@@ -1,6 +1,7 @@
 // Coarsening functions in the geodesic metric: distances inside the domain (Definition 2.2.6).
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,32 +18,32 @@ namespace wellspaced {
 /// the graph metric, the latter of which bounds the search for it.
 ///
 /// A shortest path is straight but for bends at nodes where the boundary is not convex. So bends
-/// are cones as nodes are, with f for their weight, and f(x) is the nearest cone that x sees; the
-/// bends' own values are found by repetition, once for each bend that a path takes in turn.
+/// are cones as nodes are, with f for their weight. Dijkstra's algorithm takes the cones by weight,
+/// and spreads each as far as it is seen and may be the lowest.
 class GeodesicCoarseningFunction {
  public:
   /// graph: of the mesh. spacing: g, one value >= 0 a node. factor: C > 0.
-  /// Requires: the Visibility outlives the function. Cost: O(n log n) and a query for each bend, a
-  /// few times over.
+  /// Requires: the Visibility outlives the function.
+  /// Cost: O(k log k), k >= n: for each cone the triangles where it comes out lowest, by what is
+  /// known when its turn comes, and those around them.
   GeodesicCoarseningFunction(const Visibility& visibility, const Graph& graph,
                              std::span<const double> spacing, double factor);
 
   /// f at the nodes; at a node in no triangle it is that of the graph metric.
-  /// Cost: a query a node, each with few lines of sight where few cones are hidden.
-  std::vector<double> at_nodes() const;
+  const std::vector<double>& at_nodes() const { return values_; }
 
   /// f(x) for a point x in the closed triangle `at` (see TriangleLocator).
+  /// Cost: a query of the cones, with a line of sight to each that would be lower.
   double operator()(Point2 x, Index at) const;
 
  private:
-  template <class Sees>
-  double lowest_seen(Point2 x, double bound, Sees sees) const;
-  double at_node(Index v) const;
-  std::vector<Index> bends() const;
-  void settle_bends();
+  std::vector<std::uint8_t> bends() const;
+  void spread_cones(std::span<const std::uint8_t> is_bend);
+  std::vector<double> weights_of_sources(std::span<const std::uint8_t> is_bend) const;
 
   const Visibility& visibility_;
-  std::vector<double> graph_values_;
+  std::vector<double> own_;     // C g
+  std::vector<double> values_;  // f, at most what the graph metric gives
   SiteTree cones_;
 };
 

@@ -108,26 +108,5 @@ TEST(Visibility, EndsAtTheLipsOfASlit) {
   EXPECT_GT(twins, 0u);
 }
 
-TEST(SightSearch, FindsWhatANodeSeesWithinTheRadius) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const TriangleMesh mesh =
-        test::grid_mesh({.nx = 9, .ny = 8, .jitter = 0.2, .hole = 0.2, .seed = seed});
-    const Visibility visibility(mesh);
-    SightSearch search(visibility);
-    for (const double radius : {0., 1.2, 3., 20.}) {
-      for (Index p = 0; p < mesh.points.size(); ++p) {
-        std::vector<Index> expected;
-        for (Index q = 0; q < mesh.points.size(); ++q)
-          if (distance(mesh.points[p], mesh.points[q]) <= radius && visibility.sees(p, q))
-            expected.push_back(q);
-        const auto found = search.run(p, radius);
-        std::vector<Index> sorted(found.begin(), found.end());
-        std::sort(sorted.begin(), sorted.end());
-        ASSERT_EQ(sorted, expected) << p << " radius " << radius;
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace wellspaced
