@@ -91,19 +91,16 @@ void pad_point_data(Geometry& geometry) {
   if (!geometry.mesh.point_markers.empty()) geometry.mesh.point_markers.resize(count);
 }
 
-Error cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
-
 // Each of the following turns `geometry` from the input into the triangulation.
 
 Status triangulate_points(const Choices& choices, const Progress& progress, Geometry& geometry,
                           Report& report) {
   const MemoryGauge memory;
   const Stopwatch watch;
-  const auto delaunay = Delaunay2::build(geometry.mesh.points, {.threads = choices.threads});
+  const auto delaunay = Delaunay2::build(geometry.mesh.points, {progress, choices.threads});
   if (!delaunay) return delaunay.error();
   report.triangulate = watch.elapsed();
   report.peak_bytes = memory.peak();
-  if (!wellspaced::report(progress, "triangulate", 1, 1)) return cancelled();
   describe(*delaunay, choices.cells_hash, {}, report);
   geometry.mesh.triangles = hull_triangles(delaunay->topology());
   report.triangles = geometry.mesh.triangles.size();

@@ -127,7 +127,8 @@ Result<Delaunay2> Delaunay2::build(std::span<const Point2> points, const Options
   result.points_.resize(points.size());
   InsertionRuns runs = insertion_runs(points, region_count(points.size()),
                                       std::as_writable_bytes(std::span(result.points_)));
-  result.build_from(points, runs, options);
+  if (!result.build_from(points, runs, options))
+    return Error{ErrorCode::kCancelled, "the triangulation was cancelled", {}};
   return result;
 }
 
@@ -141,19 +142,21 @@ Result<Delaunay2> Delaunay2::build(std::span<const Point2> points,
   return result;
 }
 
-// Triangulates points[order[0]], points[order[1]], ...
-void Delaunay2::build_from(std::span<const Point2> points, InsertionRuns& runs,
+// Triangulates points[order[0]], points[order[1]], ... Returns false if it was told to stop.
+bool Delaunay2::build_from(std::span<const Point2> points, InsertionRuns& runs,
                            const Options& options) {
   std::vector<Index>& order = runs.order;
   points_.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) points_[i] = points[order[i]];
   std::vector<Duplicate> duplicates;
   if (start()) {
-    insert_in_order(runs, options.threads, duplicates);
+    if (!insert_in_order(runs, options, duplicates)) return false;
   } else {
     duplicates = sort_out_duplicates();
   }
+  if (!report(options.progress, "triangulate", points.size(), points.size())) return false;
   number_as_input(points, order, duplicates);
+  return true;
 }
 
 // Makes the first triangle of the first points in general position and swaps them to the front.

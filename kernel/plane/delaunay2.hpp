@@ -8,6 +8,7 @@
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/plane/triangulation2.hpp"
 #include "wellspaced/kernel/point_order.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -33,6 +34,7 @@ class Delaunay2 {
   };
 
   struct Options {
+    Progress progress = {};  ///< phase "triangulate"; done: points
     /// How many threads may work, the caller's among them; beyond eight none is used. The result
     /// does not depend on it, not even in the numbers of triangles.
     unsigned threads = 1;
@@ -41,7 +43,7 @@ class Delaunay2 {
   /// The Delaunay triangulation of `points`: exact. Ties (cocircular points) are broken by the
   /// order of insertion, which depends on the points and their numbers alone.
   /// Errors: kInvalidGeometry for a NaN or infinite coordinate (ids: the points); kLimit beyond
-  /// 2^28 points.
+  /// 2^28 points; kCancelled.
   /// Cost: O(n log n) expected time for every input; 72 bytes a point kept and about 75 at the
   /// peak.
   static Result<Delaunay2> build(std::span<const Point2> points, const Options& options);
@@ -179,9 +181,9 @@ class Delaunay2 {
   };
 
   static unsigned region_count(std::size_t points);
-  void build_from(std::span<const Point2> points, InsertionRuns& runs, const Options& options);
+  bool build_from(std::span<const Point2> points, InsertionRuns& runs, const Options& options);
   bool start();
-  void insert_in_order(const InsertionRuns& runs, unsigned threads,
+  bool insert_in_order(const InsertionRuns& runs, const Options& options,
                        std::vector<Duplicate>& duplicates);
   std::vector<Duplicate> sort_out_duplicates() const;
   void number_as_input(std::span<const Point2> points, std::vector<Index>& order,

@@ -17,6 +17,7 @@
 // result, to the number of each triangle.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <utility>
 
 #include "wellspaced/kernel/large_pages.hpp"
@@ -38,6 +39,8 @@ constexpr std::size_t kUsualStar = 64;
 constexpr Index kRoundWorthDividing = Index{1} << 14;
 // So many places are known in each region where a walk may start.
 constexpr Index kStarts = 256;
+// Whoever listens is asked after so many points.
+constexpr Index kAskEvery = Index{1} << 13;
 
 constexpr Index kGhostVertex = Triangulation2::kGhost;
 // Marks a link that leads into a border triangle. No edge is constrained yet, so the bit is free.
@@ -306,26 +309,28 @@ class PointInserter {
   std::vector<Triangle> removed_;
 };
 
-// Makes all points vertices, round by round.
+// Makes all points vertices, round by round, as long as `progress` does not say stop.
 template <class Triangle, class Duplicate>
 class BulkInsertion {
  public:
   // Requires: the triangles are the Delaunay triangulation of three of the points, unconstrained.
-  BulkInsertion(LargeVector<Triangle>& triangles, std::span<const Point2> points, unsigned threads,
-                std::vector<Duplicate>& duplicates)
+  BulkInsertion(LargeVector<Triangle>& triangles, std::span<const Point2> points,
+                const Delaunay2::Options& options, std::vector<Duplicate>& duplicates)
       : triangles_(triangles),
         points_(points),
+        progress_(options.progress),
         duplicates_(duplicates),
         first_(triangles[0].vertex),
         used_(static_cast<Index>(triangles.size())),
-        inserters_(std::max(threads, 1u), Inserter(triangles, points)) {
+        inserters_(std::max(options.threads, 1u), Inserter(triangles, points)) {
     triangles.resize(2 * points.size());
   }
 
-  // `ends` and `regions` as in InsertionRuns.
-  void run(std::span<const Index> ends, unsigned regions) {
+  // `ends` and `regions` as in InsertionRuns. Returns false if it was stopped; then the triangles
+  // are of no use.
+  bool run(std::span<const Index> ends, unsigned regions) {
     Index begin = 0;
-    for (std::size_t first = 0; first < ends.size(); first += regions) {
+    for (std::size_t first = 0; first < ends.size() && !stopped_; first += regions) {
       const Index end = ends[first + regions - 1];
       if (regions > 1 && end - begin >= kRoundWorthDividing)
         insert_by_region(begin, ends.first(first), ends.subspan(first, regions));
@@ -334,6 +339,7 @@ class BulkInsertion {
       begin = end;
     }
     triangles_.resize(used_);
+    return !stopped_;
   }
 
  private:
@@ -353,10 +359,17 @@ class BulkInsertion {
 
   bool is_first(Index v) const { return v == first_[0] || v == first_[1] || v == first_[2]; }
 
+  // Whether to go on at point v. Only the caller's thread asks whoever listens.
+  bool go_on(unsigned worker, Index v) {
+    if (v % kAskEvery != 0) return true;
+    if (worker == 0 && !stopped_) stopped_ = !report(progress_, "triangulate", v, points_.size());
+    return !stopped_;
+  }
+
   // One point after the other.
   void insert_all(Index begin, Index end) {
     const Index last = static_cast<Index>(points_.size()) - 1;
-    for (Index v = begin; v < end; ++v)
+    for (Index v = begin; v < end && go_on(0, v); ++v)
       if (!is_first(v) && insert(v, used_, std::min(v + 1, last))) used_ += 2;
   }
 
@@ -376,9 +389,9 @@ class BulkInsertion {
     std::vector<Region> regions = make_regions(begin, ends);
     set_fence(border, kFence);
     run_parallel(static_cast<unsigned>(inserters_.size()), regions.size(),
-                 [&](unsigned worker, std::size_t r) { fill(regions[r], inserters_[worker]); });
+                 [&](unsigned worker, std::size_t r) { fill(regions[r], worker); });
     set_fence(border, 0);
-    join(regions);
+    if (!stopped_) join(regions);
   }
 
   // Writes down the regions of the vertices of earlier rounds.
@@ -443,9 +456,10 @@ class BulkInsertion {
 
   // After each point that is deferred the walk starts afresh: a straight way from the last vertex
   // may lead over the fence again and again.
-  void fill(Region& region, Inserter& inserter) const {
+  void fill(Region& region, unsigned worker) {
+    Inserter& inserter = inserters_[worker];
     bool is_lost = true;
-    for (Index v = region.begin; v < region.end; ++v) {
+    for (Index v = region.begin; v < region.end && go_on(worker, v); ++v) {
       if (is_first(v)) continue;
       if (is_lost) inserter.start_at(region.starts[(v - region.begin) / stretch_length(region)]);
       const Outcome outcome = inserter.insert(v, region.next, std::min(v + 1, region.end - 1));
@@ -500,6 +514,8 @@ class BulkInsertion {
 
   LargeVector<Triangle>& triangles_;
   std::span<const Point2> points_;
+  const Progress& progress_;
+  std::atomic<bool> stopped_ = false;
   std::vector<Duplicate>& duplicates_;
   std::array<Index, 3> first_;       // the corners of the first triangle
   Index used_;                       // so many triangles are there
@@ -514,11 +530,12 @@ unsigned Delaunay2::region_count(std::size_t points) {
   return points < kOne << 15 ? 1 : points < kOne << 22 ? 2 : points < kOne << 24 ? 4 : 8;
 }
 
-void Delaunay2::insert_in_order(const InsertionRuns& runs, unsigned threads,
+bool Delaunay2::insert_in_order(const InsertionRuns& runs, const Options& options,
                                 std::vector<Duplicate>& duplicates) {
-  BulkInsertion insertion(topology_.triangles_, std::span<const Point2>(points_),
-                          std::min(threads, runs.regions), duplicates);
-  insertion.run(runs.ends, runs.regions);
+  const Options useful{options.progress, std::min(options.threads, runs.regions)};
+  BulkInsertion insertion(topology_.triangles_, std::span<const Point2>(points_), useful,
+                          duplicates);
+  return insertion.run(runs.ends, runs.regions);
 }
 
 }  // namespace wellspaced

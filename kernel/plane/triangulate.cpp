@@ -13,7 +13,9 @@ namespace {
 
 using Edge = Triangulation2::Edge;
 
-constexpr const char* kPhase = "triangulate";
+constexpr Index kSegmentsAReport = 1 << 10;
+
+Error triangulate_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
 
 Status check_segments(const Pslg& graph) {
   std::vector<Index> bad;
@@ -70,9 +72,14 @@ void split_on_line(const Pslg& graph, PlanarTriangulation& result) {
   sort_out_repeated(result.segments);
 }
 
-// Inserts the segments one by one. Returns false at the first that crosses another.
-bool insert_segments(const Pslg& graph, PlanarTriangulation& result) {
-  for (const Segment& s : graph.segments) {
+// Inserts the segments one by one. Returns whether none crosses another.
+Result<bool> insert_segments(const Pslg& graph, const Progress& progress,
+                             PlanarTriangulation& result) {
+  const auto count = static_cast<Index>(graph.segments.size());
+  for (Index i = 0; i < count; ++i) {
+    if (i % kSegmentsAReport == 0 && !report(progress, "constrain", i, count))
+      return triangulate_cancelled();
+    const Segment& s = graph.segments[i];
     const Result<std::vector<Index>> chain = result.delaunay.insert_constraint(s.a, s.b);
     if (!chain) return false;
     add_pieces(*chain, s.marker, result.segments);
@@ -175,8 +182,7 @@ std::vector<std::array<Index, 3>> PlanarTriangulation::triangles() const {
 
 Result<PlanarTriangulation> triangulate(const Pslg& graph, const TriangulateOptions& options) {
   if (Status status = check_segments(graph); !status) return status.error();
-  if (!report(options.progress, kPhase, 0, 2)) return Error{ErrorCode::kCancelled, "cancelled", {}};
-  Result<Delaunay2> built = Delaunay2::build(graph.points, {.threads = options.threads});
+  Result<Delaunay2> built = Delaunay2::build(graph.points, {options.progress, options.threads});
   if (!built) return built.error();
   PlanarTriangulation result;
   result.delaunay = std::move(*built);
@@ -184,12 +190,14 @@ Result<PlanarTriangulation> triangulate(const Pslg& graph, const TriangulateOpti
     split_on_line(graph, result);
     return result;
   }
-  if (!report(options.progress, kPhase, 1, 2)) return Error{ErrorCode::kCancelled, "cancelled", {}};
-  if (!insert_segments(graph, result)) {
+  const Result<bool> planar = insert_segments(graph, options.progress, result);
+  if (!planar) return planar.error();
+  if (!*planar) {
     Status resolved = resolve_crossings(graph, options.crossings, result);
     if (!resolved) return resolved.error();
   }
   sort_out_repeated(result.segments);
+  if (!report(options.progress, "domain", 0, 0)) return triangulate_cancelled();
   result.in_domain = find_domain(result.delaunay, graph, options.holes);
   return result;
 }

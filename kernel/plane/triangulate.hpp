@@ -29,8 +29,8 @@ enum class CrossingRule {
 struct TriangulateOptions {
   HoleRule holes = HoleRule::kParity;
   CrossingRule crossings = CrossingRule::kSplit;
-  Progress progress = {};
-  unsigned threads = 1;  ///< as in Delaunay2::Options
+  Progress progress = {};  ///< phases "triangulate" (points), "constrain" (segments), "domain"
+  unsigned threads = 1;    ///< as in Delaunay2::Options
 };
 
 /// The triangulation of a planar straight-line graph.

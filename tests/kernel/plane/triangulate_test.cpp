@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/cancelling.hpp"
 #include "tests/support/point_families.hpp"
 #include "tests/support/triangulation_checks.hpp"
 
@@ -292,12 +293,23 @@ TEST(Triangulate, ASegmentWithoutPointIsAnErrorThatNamesIt) {
   EXPECT_EQ(result.error().ids, std::vector<Index>{1});
 }
 
-TEST(Triangulate, CancellingIsAnError) {
-  TriangulateOptions options;
-  options.progress = [](std::string_view, std::uint64_t, std::uint64_t) { return false; };
-  const auto result = triangulate(nested_squares(), options);
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, ErrorCode::kCancelled);
+TEST(Triangulate, CanBeCancelledInEveryPhase) {
+  const auto phases = test::phases_that_cancel([](const Progress& progress) {
+    return triangulate(nested_squares(), {.progress = progress});
+  });
+  EXPECT_EQ(phases, (std::set<std::string>{"constrain", "domain", "triangulate"}));
+}
+
+TEST(Delaunay2Build, CanBeCancelledOnTheWay) {
+  const std::vector<Point2> points = test::uniform_points(50000, 1);
+  int questions = 0;
+  test::phases_that_cancel([&](const Progress& progress) {
+    return Delaunay2::build(points, {[&](auto phase, auto done, auto total) {
+                              ++questions;
+                              return progress(phase, done, total);
+                            }});
+  });
+  EXPECT_GE(questions, 20);
 }
 
 }  // namespace
