@@ -18,8 +18,9 @@ std::string parameters_of(const Experiment& experiment, const SuiteMesh& mesh, s
   const CoarseningOptions& options = experiment.options;
   return "wellspaced " + laboratory.version + "; " + mesh.identity + "; method " +
          std::to_string(static_cast<int>(options.method)) + ", beta " + shortest(options.beta) +
-         ", factor " + shortest(options.factor) + (options.count_work ? ", work" : "") + "; " +
-         std::to_string(runs) + " runs from seed " + std::to_string(laboratory.seed);
+         ", factor " + shortest(options.factor) + ", R " + shortest(protection_ratio(options)) +
+         (options.count_work ? ", work" : "") + "; " + std::to_string(runs) + " runs from seed " +
+         std::to_string(laboratory.seed);
 }
 
 CoarseningOptions options_of(const Experiment& experiment, const SuiteMesh& mesh,

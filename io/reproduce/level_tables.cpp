@@ -101,6 +101,10 @@ ExhibitRow level_row(std::span<const RunStatistics> runs, const PublishedSequenc
   return row;
 }
 
+// By both methods. The thesis tells of 0.15 for MIS, which fits its graded meshes; but its grids,
+// GRID(10) most clearly, come out with 0.2.
+constexpr double kGridProtection = 0.2;
+
 // With fewer runs their spread says nothing.
 constexpr std::size_t kFewestCompared = 3;
 
@@ -112,6 +116,8 @@ Result<std::span<const RunStatistics>> our_runs(Laboratory& laboratory,
   const SuiteMesh& mesh = *laboratory.mesh(experiment.mesh).value();
   half.comparable = mesh.is_original && runs->size() >= kFewestCompared;
   half.note = mesh.title + ": " + mesh.origin + "; " + laboratory.runs_text(experiment);
+  if (experiment.options.method == CoarseningMethod::kMis && experiment.options.protect)
+    half.note += "; edges protected with R = 0.2, which fits, not 0.15";
   if (runs->size() < kFewestCompared) half.note += ", too few to compare";
   return *runs;
 }
@@ -122,8 +128,11 @@ Experiment suite_experiment(const std::string& mesh, CoarseningMethod method) {
   const bool is_grid = mesh.rfind("grid", 0) == 0;
   Experiment experiment{.name = mesh + "-" + std::string(name_of(method)), .mesh = mesh};
   experiment.options.method = method;
-  if (is_grid) experiment.options.factor = 2;
-  if (is_grid) experiment.thesis_runs = mesh == "grid1" ? 6 : 5;
+  if (is_grid) {
+    experiment.options.factor = 2;
+    experiment.options.protect = kGridProtection;
+    experiment.thesis_runs = mesh == "grid1" ? 6 : 5;
+  }
   return experiment;
 }
 
