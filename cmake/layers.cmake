@@ -12,22 +12,19 @@ function(wellspaced_private_options target)
     $<$<BOOL:${WELLSPACED_WERROR}>:-Werror>)
 endfunction()
 
-# wellspaced_compile_in(UNITS TARGET): its sources as so many files, so that headers and instantiations
-# are compiled few times (-DCMAKE_UNITY_BUILD=OFF: one by one, better for edit and build); none waits for
-# a library.
-function(wellspaced_compile_in units target)
+# wellspaced_compile_as_one(TARGET): its sources as one file, so that headers and instantiations are
+# compiled once (-DCMAKE_UNITY_BUILD=OFF: one by one, better for edit and build, and on many cores);
+# it waits for no library.
+function(wellspaced_compile_as_one target)
   if(NOT DEFINED CMAKE_UNITY_BUILD)
-    get_target_property(sources ${target} SOURCES)
-    list(LENGTH sources count)
-    math(EXPR batch "(${count} + ${units} - 1) / ${units}")
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
   set_target_properties(${target} PROPERTIES OPTIMIZE_DEPENDENCIES ON)
 endfunction()
 
-# wellspaced_layer(NAME UNITS n SOURCES ... DEPENDS ...): the library wellspaced::NAME.
+# wellspaced_layer(NAME SOURCES ... DEPENDS ...): the library wellspaced::NAME.
 function(wellspaced_layer name)
-  cmake_parse_arguments(ARG "" "UNITS" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   file(MAKE_DIRECTORY ${WELLSPACED_INCLUDE_DIR}/wellspaced)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${WELLSPACED_INCLUDE_DIR}/wellspaced/${name}
     SYMBOLIC COPY_ON_ERROR)
@@ -35,7 +32,7 @@ function(wellspaced_layer name)
   add_library(wellspaced::${name} ALIAS wellspaced_${name})
   set_target_properties(wellspaced_${name} PROPERTIES EXPORT_NAME ${name}
     POSITION_INDEPENDENT_CODE ON)
-  wellspaced_compile_in(${ARG_UNITS} wellspaced_${name})
+  wellspaced_compile_as_one(wellspaced_${name})
   wellspaced_private_options(wellspaced_${name})
   target_include_directories(wellspaced_${name} PUBLIC
     $<BUILD_INTERFACE:${WELLSPACED_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
