@@ -42,6 +42,9 @@ constexpr Index kStarts = 256;
 // Whoever listens is asked after so many points.
 constexpr Index kAskEvery = Index{1} << 13;
 
+// What different threads write lies this far apart: processors fetch memory in lines.
+constexpr std::size_t kCacheLine = 64;
+
 constexpr Index kGhostVertex = Triangulation2::kGhost;
 // Marks a link that leads into a border triangle. No edge is constrained yet, so the bit is free.
 constexpr std::uint32_t kFence = 4;
@@ -66,7 +69,7 @@ struct OpenEdge {
 
 // Makes points[v] vertex v. One a thread. Triangle is Triangulation2's.
 template <class Triangle>
-class PointInserter {
+class alignas(kCacheLine) PointInserter {
  public:
   enum class Outcome { kInserted, kTwin, kFenced };
 
@@ -346,7 +349,7 @@ class BulkInsertion {
   using Inserter = PointInserter<Triangle>;
   using Outcome = typename Inserter::Outcome;
 
-  struct Region {
+  struct alignas(kCacheLine) Region {
     std::uint8_t number;
     Index begin, end;       // the points to insert
     Index first_new, next;  // the numbers of their triangles, two a point, and the next of these
