@@ -64,4 +64,11 @@ void reserve_large(std::vector<T>& vector, std::size_t count) {
   prefer_large_pages(vector.data(), vector.capacity() * sizeof(T));
 }
 
+/// vector.assign(count, value), in large pages.
+template <class T>
+void assign_large(std::vector<T>& vector, std::size_t count, const T& value = T()) {
+  reserve_large(vector, count);
+  vector.assign(count, value);
+}
+
 }  // namespace wellspaced

@@ -1,5 +1,7 @@
 #include "wellspaced/algorithms/audit/delaunay.hpp"
 
+#include <algorithm>
+
 #include "wellspaced/algorithms/audit/exact_tests.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
@@ -14,23 +16,23 @@ class DelaunayAudit {
     find_obtuse_corners();
   }
 
+  // The angles opposite an edge that fails add up to more than 180 degrees, so one is obtuse.
   void audit_circumcircles(Report& report) const {
     Check constrained = check("constrained_delaunay"), all = check("delaunay");
-    for (Index t = 0; t < mesh_.triangles.size(); ++t)
-      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-        if (!apex_beyond_is_inside(t, h)) continue;
-        all.violate({from(h), to(h)});
-        if (half_edges_.constrained[h] == 0) constrained.violate({from(h), to(h)});
-      }
+    for (const Index h : facing_obtuse_) {
+      if (seen_from_twin(h) || !apex_beyond_is_inside(h)) continue;
+      all.violate({from(h), to(h)});
+      if (half_edges_.constrained[h] == 0) constrained.violate({from(h), to(h)});
+    }
     report.checks.push_back(std::move(constrained));
     report.checks.push_back(std::move(all));
   }
 
   void audit_diametral_circles(Report& report) const {
     Check all = check("gabriel"), boundary = check("boundary_gabriel");
-    for (Index t = 0; t < mesh_.triangles.size(); ++t) {
-      const Index h = 3 * t + obtuse_edge_[t];
-      if (obtuse_edge_[t] == kNone || counted_from_twin(h)) continue;
+    all.ids.reserve(2 * facing_obtuse_.size());
+    for (const Index h : facing_obtuse_) {
+      if (seen_from_twin(h)) continue;
       all.violate({from(h), to(h)});
       if (half_edges_.twin[h] == kNoIndex || half_edges_.constrained[h] != 0)
         boundary.violate({from(h), to(h)});
@@ -43,10 +45,9 @@ class DelaunayAudit {
     Check& check = report.add_check("circumcentres_inside", Item::kTriangle, false);
     std::uint64_t budget = 32 * std::uint64_t{mesh_.triangles.size()}, undecided = 0;
     const bool all_delaunay = report.check("delaunay")->pass();
-    for (Index t = 0; t < mesh_.triangles.size(); ++t) {
-      if (obtuse_edge_[t] == kNone || (all_delaunay && faces_acute_neighbor(t))) continue;
-      const Walk walk = walk_to_circumcentre(t, budget);
-      if (walk == Walk::kLeft) check.violate({t});
+    for (const Index h : all_delaunay ? leading_out() : facing_obtuse_) {
+      const Walk walk = walk_to_circumcentre(h, budget);
+      if (walk == Walk::kLeft) check.violate({h / 3});
       undecided += walk == Walk::kGivenUp;
     }
     if (undecided > 0)
@@ -55,7 +56,6 @@ class DelaunayAudit {
 
  private:
   enum class Walk { kArrived, kLeft, kGivenUp };
-  static constexpr std::uint8_t kNone = 3;
 
   static Check check(std::string_view name) {
     Check result;
@@ -70,47 +70,64 @@ class DelaunayAudit {
   Point2 to_point(Index h) const { return mesh_.points[to(h)]; }
   Point2 apex_point(Index h) const { return mesh_.points[apex(mesh_.triangles, h)]; }
 
-  // Whether the circumcircle of t contains the apex of the triangle beyond its half-edge h; each
-  // edge is asked from its lower half-edge alone.
-  bool apex_beyond_is_inside(Index t, Index h) const {
+  // Whether the circumcircle on one side of an edge contains the apex on the other.
+  bool apex_beyond_is_inside(Index h) const {
     const Index twin = half_edges_.twin[h];
-    if (twin == kNoIndex || twin < h) return false;
-    if (orientation_[t] <= 0 || orientation_[twin / 3] <= 0) return false;
-    const auto& [a, b, c] = mesh_.triangles[t];
-    return incircle(mesh_.points[a], mesh_.points[b], mesh_.points[c], apex_point(twin)) > 0;
+    if (twin == kNoIndex || orientation_[twin / 3] <= 0) return false;
+    return incircle(from_point(h), to_point(h), apex_point(h), apex_point(twin)) > 0;
   }
 
-  // Both triangles on an edge may see it under an obtuse angle; it is one violation.
-  bool counted_from_twin(Index h) const {
+  bool faces_obtuse(Index h) const { return faces_obtuse_[h / 3] == h % 3; }
+
+  // Both triangles on an edge may see it under an obtuse angle.
+  bool seen_from_twin(Index h) const {
     const Index twin = half_edges_.twin[h];
-    return twin != kNoIndex && twin < h && obtuse_edge_[twin / 3] == twin % 3;
+    return twin != kNoIndex && twin < h && faces_obtuse(twin);
   }
 
-  // For each triangle the number of the edge opposite its obtuse corner.
+  // The half-edges opposite obtuse corners, of counter-clockwise triangles.
   void find_obtuse_corners() {
-    obtuse_edge_.assign(mesh_.triangles.size(), kNone);
-    for (Index t = 0; t < obtuse_edge_.size(); ++t) {
+    const auto triangles = static_cast<Index>(mesh_.triangles.size());
+    faces_obtuse_.resize(triangles);
+    facing_obtuse_.resize(triangles + std::size_t{1});
+    std::size_t count = 0;
+    for (Index t = 0; t < triangles; ++t) {
       const auto& [i, j, k] = mesh_.triangles[t];
-      const Point2 a = mesh_.points[i], b = mesh_.points[j], c = mesh_.points[k];
-      if (orientation_[t] <= 0) continue;
-      const bool at_c = angle_sign(c, a, b) < 0, at_a = angle_sign(a, b, c) < 0;
-      const bool at_b = angle_sign(b, c, a) < 0;
-      obtuse_edge_[t] = static_cast<std::uint8_t>(kNone - 3 * at_c - 2 * at_a - at_b);
+      const int edge = edge_facing_obtuse(mesh_.points[i], mesh_.points[j], mesh_.points[k]);
+      const bool found = (edge < 3) & (orientation_[t] > 0);
+      faces_obtuse_[t] = static_cast<std::uint8_t>(found ? edge : 3);
+      facing_obtuse_[count] = 3 * t + static_cast<Index>(edge);  // without a branch: half have one
+      count += found;
     }
+    facing_obtuse_.resize(count);
   }
 
-  // On the bisector of an edge of a Delaunay mesh the two circumcentres come in the order of the
-  // triangles. So if that of the neighbour lies in the neighbour, that of t lies there too.
-  bool faces_acute_neighbor(Index t) const {
-    const Index twin = half_edges_.twin[3 * t + obtuse_edge_[t]];
-    return twin != kNoIndex && orientation_[twin / 3] > 0 && obtuse_edge_[twin / 3] == kNone;
+  // In a Delaunay mesh, those of them that lead to the boundary: across the edge, and if the
+  // neighbour is obtuse across its longest edge, and so on. All others have their circumcentres in
+  // the mesh: on the bisector of an edge the two circumcentres come in the order of the triangles,
+  // and if the second is obtuse, the way to its circumcentre from any place on the edge leaves it
+  // by its longest edge; so by induction from the acute triangle at the end, the triangle between
+  // the circumcentre and the edge that leads to it lies in the mesh.
+  std::vector<Index> leading_out() const {
+    std::vector<Index> out;
+    for (const Index h : facing_obtuse_) {
+      const Index twin = half_edges_.twin[h];
+      if (twin == kNoIndex || orientation_[twin / 3] <= 0) out.push_back(h);
+    }
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      for (const Index side : {HalfEdges::next(out[i]), HalfEdges::previous(out[i])}) {
+        const Index twin = half_edges_.twin[side];
+        if (twin != kNoIndex && faces_obtuse(twin)) out.push_back(twin);
+      }
+    }
+    std::sort(out.begin(), out.end());
+    return out;
   }
 
-  // From the middle of the longest edge of t along its bisector to the circumcentre. The half-edge
-  // kept, into the current triangle, always has the bisector between its ends: its origin no
-  // farther from v, its target no farther from u.
-  Walk walk_to_circumcentre(Index t, std::uint64_t& budget) const {
-    const Index longest = 3 * t + obtuse_edge_[t];
+  // From the middle of the longest edge of a triangle along its bisector to the circumcentre. The
+  // half-edge kept, into the current triangle, always has the bisector between its ends: its origin
+  // no farther from v, its target no farther from u.
+  Walk walk_to_circumcentre(Index longest, std::uint64_t& budget) const {
     const Point2 u = from_point(longest), v = to_point(longest);
     Index exit = longest;
     while (budget > 0) {
@@ -136,7 +153,8 @@ class DelaunayAudit {
   const TriangleMesh& mesh_;
   const HalfEdges& half_edges_;
   const std::vector<std::int8_t>& orientation_;
-  std::vector<std::uint8_t> obtuse_edge_;
+  std::vector<Index> facing_obtuse_;        // half-edges, ascending
+  std::vector<std::uint8_t> faces_obtuse_;  // for each triangle the number of its one, or 3
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "wellspaced/algorithms/audit/embedding.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/algorithms/audit/check_lists.hpp"
@@ -72,19 +73,22 @@ class OverlapSearch {
   BoxTree<2> tree_;
 };
 
-// The nodes that can coincide with another. In a mesh without overlap no two nodes inside the
-// domain do, because the triangles around each fill a neighbourhood of it.
-std::vector<Index> candidates_for_coincidence(const TriangleMesh& mesh, const HalfEdges& half_edges,
-                                              bool embedded) {
-  std::vector<std::uint8_t> kind(mesh.points.size(), 0);  // 1: used, 2: on the boundary
-  for (Index h = 0; h < half_edges.twin.size(); ++h) kind[origin(mesh.triangles, h)] |= 1;
+// The nodes that can coincide with another: in a mesh without overlap or unused nodes, those on the
+// boundary. The triangles around each other one fill a neighbourhood of it.
+std::vector<Index> nodes_on_boundary(const TriangleMesh& mesh, const HalfEdges& half_edges) {
+  std::vector<std::uint8_t> is_on_boundary(mesh.points.size(), 0);
   for (Index h = 0; h < half_edges.twin.size(); ++h)
     if (half_edges.twin[h] == kNoIndex)
-      kind[origin(mesh.triangles, h)] = kind[target(mesh.triangles, h)] = 2;
-  const bool all = !embedded || std::find(kind.begin(), kind.end(), 0) != kind.end();
+      is_on_boundary[origin(mesh.triangles, h)] = is_on_boundary[target(mesh.triangles, h)] = 1;
   std::vector<Index> nodes;
-  for (Index v = 0; v < kind.size(); ++v)
-    if (all || kind[v] == 2) nodes.push_back(v);
+  for (Index v = 0; v < is_on_boundary.size(); ++v)
+    if (is_on_boundary[v] != 0) nodes.push_back(v);
+  return nodes;
+}
+
+std::vector<Index> all_nodes(const TriangleMesh& mesh) {
+  std::vector<Index> nodes(mesh.points.size());
+  std::iota(nodes.begin(), nodes.end(), Index{0});
   return nodes;
 }
 
@@ -124,10 +128,11 @@ void audit_embedding(const TriangleMesh& mesh, const HalfEdges& half_edges,
   if (!verdict.at_most_once) OverlapSearch(mesh, orientation).run(check);
   Check& hanging = report.add_check("no_hanging_node", Item::kNode, true);
   for (const Index v : verdict.hanging_nodes) hanging.violate({v});
+  const bool inner_differ = verdict.at_most_once && report.check("no_unused_node")->pass();
   report.add_measure(
       "coincident_nodes",
       static_cast<double>(count_coincident(
-          mesh, candidates_for_coincidence(mesh, half_edges, verdict.at_most_once))));
+          mesh, inner_differ ? nodes_on_boundary(mesh, half_edges) : all_nodes(mesh))));
 }
 
 }  // namespace wellspaced::audit

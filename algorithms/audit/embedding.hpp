@@ -27,7 +27,8 @@ bool is_clockwise(const TriangleMesh& mesh);
 ///   no_hanging_node  no node lies inside a boundary edge. Not complete where triangles overlap
 /// Measures: coincident_nodes, the nodes less the distinct places they lie at. The nodes of the two
 ///   lips of a slit coincide; that is no violation.
-/// Requires: audit_syntax passed; half_edges and orientation are of this mesh.
+/// Requires: audit_syntax passed; half_edges and orientation are of this mesh; audit_topology has
+///   reported.
 /// Cost: linear and O(b log b) for b boundary edges; O(n log n + pairs) more if triangles overlap.
 void audit_embedding(const TriangleMesh& mesh, const HalfEdges& half_edges,
                      const std::vector<std::int8_t>& orientation, Report& report);

@@ -7,6 +7,7 @@
 
 #include "wellspaced/kernel/exact_predicates.hpp"
 #include "wellspaced/kernel/predicate_filter.hpp"
+#include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -132,21 +133,20 @@ struct FaceSphereSide {
   }
 };
 
-// The sign of a polynomial of degree 6 in differences: by doubles where they tell, else exactly.
 // A product of 6 differences is reached through at most 24 roundings; there are fewer than 2^10
-// products, each at most the sixth power of the largest difference, so 2^-36 of that power bounds
-// the error.
-template <class Polynomial, std::size_t N>
-int sign_of_degree_6(const std::array<double, N>& coordinates) {
-  const auto v = exact::differences<Polynomial::kDimension>(coordinates);
+// products in a polynomial, each at most the sixth power of the largest difference, so 2^-36 of
+// that power bounds the error, if it neither overflows nor vanishes.
+bool bounds_degree_6(double largest) { return largest > 0x1p-100 && largest < 0x1p100; }
+double bound_of_degree_6(double largest) {
+  const double cube = largest * largest * largest;
+  return 0x1p-36 * cube * cube;
+}
+
+double largest_of(const std::array<Point3, 3>& vectors) {
   double largest = 0;
-  for (const double d : v) largest = std::max(largest, std::fabs(d));
-  if (largest > 0x1p-100 && largest < 0x1p100) {
-    const double cube = largest * largest * largest;
-    const int sign = predicate_filter::certified_sign(Polynomial::value(v), 0x1p-36 * cube * cube);
-    if (sign != 0) return sign;
-  }
-  return exact::big_sign<Polynomial>(coordinates);
+  for (const Point3& v : vectors)
+    largest = std::max({largest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  return largest;
 }
 
 }  // namespace
@@ -163,17 +163,43 @@ int circumcentre_side(Point2 p, Point2 q, Point2 a, Point2 b, Point2 c) {
       std::array{p.x, p.y, q.x, q.y, b.x, b.y, c.x, c.y, a.x, a.y});
 }
 
-int circumcentre_side(const std::array<Point3, 3>& plane, const std::array<Point3, 4>& tet) {
-  const auto& [p, q, r] = plane;
-  const auto& [a, b, c, d] = tet;
-  return sign_of_degree_6<CircumcentreSide3>(std::array{p.x, p.y, p.z, q.x, q.y, q.z, r.x,
-                                                        r.y, r.z, b.x, b.y, b.z, c.x, c.y,
-                                                        c.z, d.x, d.y, d.z, a.x, a.y, a.z});
+Circumcentre3::Circumcentre3(const std::array<Point3, 4>& tet) : tet_(tet) {
+  const Point3 b = tet[1] - tet[0], c = tet[2] - tet[0], d = tet[3] - tet[0];
+  const Point3 c_d = wellspaced::cross(c, d);
+  numerator_ = wellspaced::dot(b, b) * c_d + wellspaced::dot(c, c) * wellspaced::cross(d, b) +
+               wellspaced::dot(d, d) * wellspaced::cross(b, c);
+  volume_ = wellspaced::dot(c_d, b);
+  largest_ = largest_of({b, c, d});
+}
+
+int Circumcentre3::side(const std::array<Point3, 3>& plane) const {
+  const Point3 a = tet_[0], p = plane[0] - a, q = plane[1] - a, r = plane[2] - a;
+  const double largest = std::max(largest_, largest_of({p, q, r}));
+  if (bounds_degree_6(largest)) {
+    const Point3 q_r = wellspaced::cross(q, r);
+    const Point3 m = q_r + wellspaced::cross(r, p) + wellspaced::cross(p, q);
+    const double half = volume_ * wellspaced::dot(q_r, p);
+    const int sign = predicate_filter::certified_sign(
+        wellspaced::dot(m, numerator_) - (half + half), bound_of_degree_6(largest));
+    if (sign != 0) return sign;
+  }
+  const auto& [u, v, w] = plane;
+  const auto& [o, b, c, d] = tet_;
+  return exact::big_sign<CircumcentreSide3>(std::array{u.x, u.y, u.z, v.x, v.y, v.z, w.x,
+                                                       w.y, w.z, b.x, b.y, b.z, c.x, c.y,
+                                                       c.z, d.x, d.y, d.z, o.x, o.y, o.z});
 }
 
 int face_sphere_side(Point3 a, Point3 b, Point3 c, Point3 d) {
-  return sign_of_degree_6<FaceSphereSide>(
-      std::array{b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, a.x, a.y, a.z});
+  const double largest = largest_of({b - a, c - a, d - a});
+  const std::array coordinates{b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, a.x, a.y, a.z};
+  if (bounds_degree_6(largest)) {
+    const double value =
+        FaceSphereSide::value(exact::differences<FaceSphereSide::kDimension>(coordinates));
+    const int sign = predicate_filter::certified_sign(value, bound_of_degree_6(largest));
+    if (sign != 0) return sign;
+  }
+  return exact::big_sign<FaceSphereSide>(coordinates);
 }
 
 }  // namespace wellspaced::audit

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "wellspaced/algorithms/audit/components.hpp"
+#include "wellspaced/algorithms/audit/stars.hpp"
+#include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
@@ -9,40 +12,48 @@ namespace {
 
 using Triangles = std::span<const std::array<Index, 3>>;
 
-// All half-edges and segments, listed by their lower node; an entry is (higher node, item), where
-// item is a half-edge or, from 3 * triangles on, a segment.
+// Half-edges and segments, listed by their lower node; an entry is (higher node, item), where item
+// is a half-edge or, from 3 * triangles on, a segment.
 class EdgeLists {
  public:
-  EdgeLists(Triangles triangles, std::span<const Segment> segments, Index nodes)
-      : first_(nodes + 1, 0), entries_(3 * triangles.size() + segments.size()) {
-    for_each_edge(triangles, segments, [&](Index low, Index, Index) { ++first_[low]; });
+  // Those between two chosen nodes.
+  EdgeLists(Triangles triangles, std::span<const Segment> segments,
+            std::span<const std::uint8_t> chosen)
+      : first_(chosen.size() + 1, 0) {
+    for_each_edge(triangles, segments, chosen, [&](Index low, Index, Index) { ++first_[low]; });
     Index sum = 0;
     for (Index& first : first_) first = sum += first;
-    for_each_edge(triangles, segments, [&](Index low, Index high, Index item) {
+    entries_.resize(sum);
+    for_each_edge(triangles, segments, chosen, [&](Index low, Index high, Index item) {
       entries_[--first_[low]] = std::uint64_t{high} << 32 | item;
     });
   }
 
-  // The edges from one lower node, sorted by higher node, then by item.
-  std::span<std::uint64_t> sorted_from(Index low) {
-    const std::span<std::uint64_t> list(entries_.data() + first_[low],
-                                        entries_.data() + first_[low + 1]);
-    std::sort(list.begin(), list.end());
-    return list;
+  // Calls visit(entries of one edge), edge by edge. Entries are sorted by item.
+  template <class Visit>
+  void visit_edges(Visit visit) {
+    for (std::size_t low = 0; low + 1 < first_.size(); ++low) {
+      const std::span list(entries_.data() + first_[low], entries_.data() + first_[low + 1]);
+      std::sort(list.begin(), list.end());
+      for (std::size_t i = 0, end = 0; i < list.size(); i = end) {
+        while (end < list.size() && list[end] >> 32 == list[i] >> 32) ++end;
+        visit(std::span<const std::uint64_t>(list.subspan(i, end - i)));
+      }
+    }
   }
 
  private:
   template <class Visit>
-  static void for_each_edge(Triangles triangles, std::span<const Segment> segments, Visit visit) {
+  static void for_each_edge(Triangles triangles, std::span<const Segment> segments,
+                            std::span<const std::uint8_t> chosen, Visit visit) {
     Index item = 0;
+    const auto visit_sorted = [&](Index a, Index b) {
+      if (chosen[a] != 0 && chosen[b] != 0) visit(std::min(a, b), std::max(a, b), item);
+      ++item;
+    };
     for (const auto& t : triangles)
-      for (int i = 0; i < 3; ++i) visit_sorted(t[i], t[i == 2 ? 0 : i + 1], item++, visit);
-    for (const Segment& s : segments) visit_sorted(s.a, s.b, item++, visit);
-  }
-
-  template <class Visit>
-  static void visit_sorted(Index a, Index b, Index item, Visit& visit) {
-    visit(std::min(a, b), std::max(a, b), item);
+      for (int i = 0; i < 3; ++i) visit_sorted(t[i], t[i == 2 ? 0 : i + 1]);
+    for (const Segment& s : segments) visit_sorted(s.a, s.b);
   }
 
   std::vector<Index> first_;
@@ -51,12 +62,12 @@ class EdgeLists {
 
 Index item_of(std::uint64_t entry) { return static_cast<Index>(entry); }
 
-// Turns the sorted lists, edge by edge, into the result.
+// Turns what lies on edges, edge by edge, into the result.
 class Pairing {
  public:
   Pairing(Triangles triangles, std::span<const Segment> segments)
       : triangles_(triangles), segments_(segments) {
-    result_.twin.assign(3 * triangles.size(), kNoIndex);
+    assign_large(result_.twin, 3 * triangles.size(), kNoIndex);
     result_.constrained.assign(3 * triangles.size(), 0);
     result_.segment_edge.assign(segments.size(), kNoIndex);
     half_edges_ = static_cast<Index>(3 * triangles.size());
@@ -64,14 +75,32 @@ class Pairing {
 
   // All that lies on one edge: half-edges first, because their items are lower.
   void take_edge(std::span<const std::uint64_t> items) {
+    const auto sides = take_segments_of(items);
+    if (sides.empty()) return;
+    ++result_.edges;
+    if (sides.size() > 1) pair_up(sides);
+  }
+
+  // The same without the half-edges, which are returned.
+  std::span<const std::uint64_t> take_segments_of(std::span<const std::uint64_t> items) {
     const auto is_half_edge = [&](std::uint64_t entry) { return item_of(entry) < half_edges_; };
     const auto split =
         std::partition_point(items.begin(), items.end(), is_half_edge) - items.begin();
     const auto sides = items.first(split), segments = items.subspan(split);
     if (!segments.empty()) take_segments(segments, sides);
-    if (sides.empty()) return;
-    ++result_.edges;
-    if (sides.size() > 1) pair_up(sides);
+    return sides;
+  }
+
+  // Pairs up the half-edges of a mesh that has no crowded or disagreeing edge and no triangle
+  // twice; returns false if it has one.
+  bool pair_opposites(Index nodes) {
+    if (!find_opposites(nodes) || has_twofold_neighbor()) {
+      result_.twin.assign(half_edges_, kNoIndex);
+      return false;
+    }
+    const auto rims = std::count(result_.twin.begin(), result_.twin.end(), kNoIndex);
+    result_.edges = (half_edges_ + static_cast<std::uint64_t>(rims)) / 2;
+    return true;
   }
 
   HalfEdges take_result() {
@@ -83,6 +112,34 @@ class Pairing {
   }
 
  private:
+  // Links the half-edges that enter each node to those that leave it. Returns false where two leave
+  // it for the same node.
+  bool find_opposites(Index nodes) {
+    const Stars stars(triangles_, nodes);
+    std::vector<std::uint64_t> last_to(nodes, ~std::uint64_t{0});  // (from, half-edge) to each node
+    bool repeated = false;
+    for (Index v = 0; v < nodes; ++v) {
+      for (const Index h : stars.leaving(v)) {
+        std::uint64_t& last = last_to[target(triangles_, h)];
+        repeated |= last >> 32 == v;
+        last = std::uint64_t{v} << 32 | h;
+      }
+      for (const Index h : stars.leaving(v)) {
+        const std::uint64_t last = last_to[apex(triangles_, h)];
+        result_.twin[HalfEdges::previous(h)] = last >> 32 == v ? item_of(last) : kNoIndex;
+      }
+    }
+    return !repeated;
+  }
+
+  // Two triangles that share two edges have the same nodes.
+  bool has_twofold_neighbor() const {
+    bool found = false;
+    for (Index h = 0; h < half_edges_; h += 3)
+      found |= result_.twin[h] != kNoIndex && result_.twin[h] / 3 == result_.twin[h + 1] / 3;
+    return found;
+  }
+
   void take_segments(std::span<const std::uint64_t> segments,
                      std::span<const std::uint64_t> sides) {
     for (const std::uint64_t side : sides) result_.constrained[item_of(side)] = 1;
@@ -134,8 +191,18 @@ class Pairing {
   std::vector<std::uint64_t> apexes_;
 };
 
-// Marks the fan of triangles around the origin of `h`: to the right as far as it goes, which may be
-// all around, then to the left.
+// The number of triangles in the fan around the origin of h. Turning never merges two ways, so it
+// ends, or comes back to h.
+std::size_t fan_size(const HalfEdges& half_edges, Index h) {
+  std::size_t size = 1;
+  Index g = half_edges.turn_right(h);
+  for (; g != kNoIndex && g != h; g = half_edges.turn_right(g)) ++size;
+  if (g == h) return size;
+  for (g = half_edges.turn_left(h); g != kNoIndex; g = half_edges.turn_left(g)) ++size;
+  return size;
+}
+
+// Marks the half-edges of that fan.
 void mark_fan(const HalfEdges& half_edges, Index h, std::vector<std::uint8_t>& marked) {
   for (Index g = h; g != kNoIndex && marked[g] == 0; g = half_edges.turn_right(g)) marked[g] = 1;
   for (Index g = half_edges.turn_left(h); g != kNoIndex && marked[g] == 0;
@@ -143,31 +210,21 @@ void mark_fan(const HalfEdges& half_edges, Index h, std::vector<std::uint8_t>& m
     marked[g] = 1;
 }
 
-// The root of the tree that t is in, halving the path on the way.
-Index root(std::vector<Index>& parent, Index t) {
-  while (parent[t] != t) t = parent[t] = parent[parent[t]];
-  return t;
+// For each node one half-edge that leaves it, or kNoIndex.
+std::vector<Index> some_leaving(Triangles triangles, std::size_t nodes) {
+  std::vector<Index> leaving(nodes, kNoIndex);
+  for (Index t = 0; t < triangles.size(); ++t)
+    for (Index i = 0; i < 3; ++i) leaving[triangles[t][i]] = 3 * t + i;
+  return leaving;
 }
 
-}  // namespace
-
-HalfEdges pair_half_edges(Triangles triangles, std::span<const Segment> segments, Index nodes) {
-  EdgeLists lists(triangles, segments, nodes);
-  Pairing pairing(triangles, segments);
-  for (Index low = 0; low < nodes; ++low) {
-    const auto list = lists.sorted_from(low);
-    for (std::size_t i = 0, end = 0; i < list.size(); i = end) {
-      while (end < list.size() && list[end] >> 32 == list[i] >> 32) ++end;
-      pairing.take_edge(list.subspan(i, end - i));
-    }
-  }
-  return pairing.take_result();
-}
-
-std::vector<std::uint8_t> count_fans(Triangles triangles, const HalfEdges& half_edges,
-                                     std::size_t nodes, std::uint64_t& total) {
-  std::vector<std::uint8_t> fans(nodes, 0), marked(half_edges.twin.size(), 0);
-  total = 0;
+// Adds the fans that do not hold the half-edge listed for their node.
+void count_further_fans(Triangles triangles, const HalfEdges& half_edges,
+                        std::span<const Index> leaving, std::vector<std::uint8_t>& fans,
+                        std::uint64_t& total) {
+  std::vector<std::uint8_t> marked(half_edges.twin.size(), 0);
+  for (const Index h : leaving)
+    if (h != kNoIndex) mark_fan(half_edges, h, marked);
   for (Index h = 0; h < marked.size(); ++h) {
     if (marked[h] != 0) continue;
     mark_fan(half_edges, h, marked);
@@ -175,22 +232,50 @@ std::vector<std::uint8_t> count_fans(Triangles triangles, const HalfEdges& half_
     if (count < 255) ++count;
     ++total;
   }
+}
+
+// The nodes that segments end at, as a set of flags.
+std::vector<std::uint8_t> ends_of(std::span<const Segment> segments, Index nodes) {
+  std::vector<std::uint8_t> is_end(nodes, 0);
+  for (const Segment& s : segments) is_end[s.a] = is_end[s.b] = 1;
+  return is_end;
+}
+
+}  // namespace
+
+HalfEdges pair_half_edges(Triangles triangles, std::span<const Segment> segments, Index nodes) {
+  Pairing pairing(triangles, segments);
+  if (!pairing.pair_opposites(nodes)) {
+    EdgeLists(triangles, segments, std::vector<std::uint8_t>(nodes, 1)).visit_edges([&](auto edge) {
+      pairing.take_edge(edge);
+    });
+  } else if (!segments.empty()) {
+    EdgeLists(triangles, segments, ends_of(segments, nodes)).visit_edges([&](auto edge) {
+      pairing.take_segments_of(edge);
+    });
+  }
+  return pairing.take_result();
+}
+
+std::vector<std::uint8_t> count_fans(Triangles triangles, const HalfEdges& half_edges,
+                                     std::size_t nodes, std::uint64_t& total) {
+  std::vector<std::uint8_t> fans(nodes, 0);
+  total = 0;
+  std::size_t covered = 0;
+  const std::vector<Index> leaving = some_leaving(triangles, nodes);
+  for (std::size_t v = 0; v < nodes; ++v) {
+    if (leaving[v] == kNoIndex) continue;
+    covered += fan_size(half_edges, leaving[v]);
+    fans[v] = 1;
+    ++total;
+  }
+  if (covered < half_edges.twin.size())
+    count_further_fans(triangles, half_edges, leaving, fans, total);
   return fans;
 }
 
-// Triangles are united with their neighbours; the lowest of each set is its root.
 std::uint64_t count_components(const HalfEdges& half_edges) {
-  std::vector<Index> parent(half_edges.twin.size() / 3);
-  for (Index t = 0; t < parent.size(); ++t) parent[t] = t;
-  for (Index h = 0; h < half_edges.twin.size(); ++h) {
-    const Index twin = half_edges.twin[h];
-    if (twin == kNoIndex || twin < h) continue;
-    const Index a = root(parent, h / 3), b = root(parent, twin / 3);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  std::uint64_t components = 0;
-  for (Index t = 0; t < parent.size(); ++t) components += parent[t] == t;
-  return components;
+  return count_components<3>(half_edges.twin);
 }
 
 }  // namespace wellspaced::audit

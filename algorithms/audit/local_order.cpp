@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <span>
 
+#include "wellspaced/kernel/large_pages.hpp"
+
 namespace wellspaced::audit {
 namespace {
 
-constexpr int kDigitBits = 11;
+constexpr int kPlaceBits = 11, kPlaceDigits = 1 << kPlaceBits, kPlaceRounds = 3;
 
 // Puts bit i of x at place D * i.
 template <int D>
@@ -52,43 +54,45 @@ class Cells {
   double low_ = 1e308, high_ = -1e308;
 };
 
-struct Keyed {
-  std::uint64_t key;
-  Index item;
-};
+// What is sorted: the place on the curve (32 bits) and the node, in one word.
+using PlacedNode = std::uint64_t;
 
-// Sorts by key, equal keys as they come.
-void radix_sort(std::vector<Keyed>& items, int bits) {
-  std::vector<Keyed> other(items.size());
-  for (int shift = 0; shift < bits; shift += kDigitBits) {
-    std::array<Index, (1 << kDigitBits) + 1> first{};
-    const auto digit = [&](const Keyed& k) { return k.key >> shift & ((1 << kDigitBits) - 1); };
-    for (const Keyed& k : items) ++first[digit(k) + 1];
-    for (std::size_t d = 1; d < first.size(); ++d) first[d] += first[d - 1];
-    for (const Keyed& k : items) other[first[digit(k)]++] = k;
-    items.swap(other);
+// Sorts by place, equal places as they come.
+void sort_by_place(LargeVector<PlacedNode>& nodes) {
+  std::array<std::array<Index, kPlaceDigits>, kPlaceRounds> first{};
+  const auto digit = [](PlacedNode node, int round) {
+    return node >> (32 + round * kPlaceBits) & (kPlaceDigits - 1);
+  };
+  for (const PlacedNode node : nodes)
+    for (int round = 0; round < kPlaceRounds; ++round) ++first[round][digit(node, round)];
+  LargeVector<PlacedNode> other(nodes.size());
+  for (int round = 0; round < kPlaceRounds; ++round) {
+    Index sum = 0;
+    for (Index& f : first[round]) f = (sum += f) - f;
+    for (const PlacedNode node : nodes) other[first[round][digit(node, round)]++] = node;
+    nodes.swap(other);
   }
 }
 
 template <class Point>
 std::vector<Index> along_curve(std::span<const Point> points) {
   constexpr int kDimension = static_cast<int>(coordinates(Point{}).size());
-  constexpr int kBits = kDimension == 2 ? 22 : 14;
+  constexpr int kBits = 32 / kDimension;
   std::array<Cells, kDimension> axes;
   for (const Point& p : points)
     for (int i = 0; i < kDimension; ++i) axes[i].include(coordinates(p)[i]);
-  std::vector<Keyed> items;
-  items.reserve(points.size());
+  LargeVector<PlacedNode> nodes;
+  nodes.reserve(points.size());
   for (const Point& p : points) {
-    std::uint64_t key = 0;
+    std::uint64_t place = 0;
     for (int i = 0; i < kDimension; ++i)
-      key |= spread<kDimension>(axes[i].cell(coordinates(p)[i], std::uint64_t{1} << kBits)) << i;
-    items.push_back({key, static_cast<Index>(items.size())});
+      place |= spread<kDimension>(axes[i].cell(coordinates(p)[i], std::uint64_t{1} << kBits)) << i;
+    nodes.push_back(place << 32 | nodes.size());
   }
-  radix_sort(items, kDimension * kBits);
+  sort_by_place(nodes);
   std::vector<Index> order;
-  order.reserve(items.size());
-  for (const Keyed& k : items) order.push_back(k.item);
+  order.reserve(nodes.size());
+  for (const PlacedNode node : nodes) order.push_back(static_cast<Index>(node));
   return order;
 }
 
@@ -97,7 +101,7 @@ template <class Point>
 std::vector<Index> reorder(std::span<const Point> points, std::span<const Index> given,
                            std::vector<Point>& reordered) {
   std::vector<Index> local(points.size());
-  reordered.reserve(points.size());
+  reserve_large(reordered, points.size());
   for (const Index v : given) {
     local[v] = static_cast<Index>(reordered.size());
     reordered.push_back(points[v]);
@@ -123,17 +127,20 @@ std::vector<Index> order_elements(std::span<const std::array<Index, N>> given,
                                   std::span<const Index> local,
                                   std::vector<std::array<Index, N>>& ordered) {
   const auto lowest = [](const std::array<Index, N>& nodes) {
-    return *std::min_element(nodes.begin(), nodes.end());
+    Index low = nodes[0];
+    for (const Index v : nodes) low = std::min(low, v);
+    return low;
   };
-  std::vector<std::array<Index, N>> elements;
+  LargeVector<std::array<Index, N>> elements;
   elements.reserve(given.size());
-  std::vector<Index> first(local.size() + 1, 0), came_from(given.size());
+  std::vector<Index> first(local.size() + 1, 0), came_from;
+  assign_large(came_from, given.size());
   for (const auto& nodes : given) {
     elements.push_back(renumbered(nodes, local));
     ++first[lowest(elements.back()) + 1];
   }
   for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  ordered.resize(given.size());
+  assign_large(ordered, given.size());
   for (Index i = 0; i < elements.size(); ++i) {
     const Index place = first[lowest(elements[i])]++;
     ordered[place] = elements[i];

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "wellspaced/algorithms/audit/angle_intervals.hpp"
+#include "wellspaced/algorithms/audit/interval_counts.hpp"
 #include "wellspaced/algorithms/audit/shape_tools.hpp"
 #include "wellspaced/algorithms/audit/worst_list.hpp"
 #include "wellspaced/kernel/angle.hpp"
@@ -13,8 +13,8 @@
 namespace wellspaced::audit {
 namespace {
 
-constexpr std::array<double, 11> kTriangleAspectBounds = {2,  2.5, 3,   4,    6,        10,
-                                                          20, 50,  100, 1000, kInfinity};
+// What parts the intervals from 2 to infinity.
+constexpr std::array<double, 9> kTriangleAspects = {2.5, 3, 4, 6, 10, 20, 50, 100, 1000};
 
 // What all measures are made of: scalar products at the corners, squared edges in ascending order
 // and twice the area.
@@ -64,12 +64,6 @@ Point2 scaled(Point2 p, double scale) { return {p.x * scale, p.y * scale}; }
 class Shapes {
  public:
   explicit Shapes(const TriangleMesh& mesh) : mesh_(mesh), scale_(scale_of(mesh.points)) {
-    angles_.name = "angle";
-    for (int degrees = 0; degrees <= 180; degrees += 10) angles_.bounds.push_back(degrees);
-    angles_.counts.assign(18, 0);
-    aspects_.name = "aspect_ratio";
-    aspects_.bounds.assign(kTriangleAspectBounds.begin(), kTriangleAspectBounds.end());
-    aspects_.counts.assign(kTriangleAspectBounds.size() - 1, 0);
     for (Index t = 0; t < mesh.triangles.size(); ++t) add(t);
   }
 
@@ -84,8 +78,9 @@ class Shapes {
     report.add_measure("radius_edge", std::sqrt(radius_edge_.worst_key()));
     report.add_measure("edge_to_height", edge_to_height_);
     report_sizes(report);
-    report.histograms.push_back(angles_);
-    report.histograms.push_back(aspects_);
+    report.histograms.push_back(angles_.histogram("angle"));
+    report.histograms.push_back(
+        aspects_.histogram("aspect_ratio", bounds_between(2, kTriangleAspects)));
     report_worst(report);
   }
 
@@ -105,7 +100,7 @@ class Shapes {
     triangles_le_10_ += largest_cotangent >= kCotangents[0];
     triangles_le_20_ += largest_cotangent >= kCotangents[1];
     for (const double product : {f.min_product, f.middle_product, f.max_product})
-      ++angles_.counts[interval_of(f.cotangent(product))];
+      angles_.add_cotangent(f.cotangent(product));
     add_ratios(t, f);
   }
 
@@ -115,10 +110,7 @@ class Shapes {
     aspect_.offer(t, aspect);
     circumradius_to_inradius_ =
         std::max(circumradius_to_inradius_, f.circumradius() * inverse_inradius);
-    std::size_t bin = 0;
-    for (std::size_t i = 1; i + 1 < kTriangleAspectBounds.size(); ++i)
-      bin += aspect >= kTriangleAspectBounds[i];
-    ++aspects_.counts[bin];
+    aspects_.add(aspect);
   }
 
   void report_sizes(Report& report) const {
@@ -147,7 +139,8 @@ class Shapes {
   double circumradius_to_inradius_ = 0, edge_to_height_ = 0;
   double shortest_sq_ = kInfinity, longest_sq_ = 0, twice_area_ = 0;
   std::uint64_t triangles_le_10_ = 0, triangles_le_20_ = 0;
-  Histogram angles_, aspects_;
+  AngleCounts angles_;
+  IntervalCounts<kTriangleAspects.size()> aspects_{kTriangleAspects};
 };
 
 double boundary_length(const TriangleMesh& mesh, const HalfEdges& half_edges) {

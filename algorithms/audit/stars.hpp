@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wellspaced/algorithms/audit/half_edges.hpp"
+#include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced::audit {
@@ -20,7 +21,9 @@ class Stars {
       for (const Index v : t) ++first_[v];
     Index sum = 0;
     for (Index& first : first_) first = sum += first;
-    for (Index h = 0; h < leaving_.size(); ++h) leaving_[--first_[origin(triangles, h)]] = h;
+    Index h = 0;
+    for (const auto& t : triangles)
+      for (const Index v : t) leaving_[--first_[v]] = h++;
   }
 
   std::span<const Index> leaving(Index v) const {
@@ -39,7 +42,8 @@ class Stars {
 
  private:
   std::span<const std::array<Index, 3>> triangles_;
-  std::vector<Index> first_, leaving_;
+  std::vector<Index> first_;
+  LargeVector<Index> leaving_;
 };
 
 }  // namespace wellspaced::audit

@@ -88,14 +88,15 @@ class TetDelaunayAudit {
 
   Walk walk_to_circumcentre(Index t, std::uint64_t& budget) const {
     const auto& [a, b, c, d] = mesh_.tets[t];
-    const std::array tet{mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]};
+    const Circumcentre3 centre(
+        {mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]});
     Index entry = kNoIndex;
     for (Index at = t; budget > 0; at = entry / 4) {
       --budget;
       bool beyond = false;
       Index exit = kNoIndex;
       for (Index f = 4 * at; f < 4 * at + 4 && exit == kNoIndex; ++f) {
-        if (f == entry || circumcentre_side(corners(f), tet) <= 0) continue;
+        if (f == entry || centre.side(corners(f)) <= 0) continue;
         beyond = true;
         if (faces_.twin[f] != kNoIndex) exit = f;
       }

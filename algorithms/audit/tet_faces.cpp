@@ -1,8 +1,10 @@
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
+#include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/sort_unique.hpp"
 
 namespace wellspaced::audit {
@@ -34,27 +36,44 @@ bool sort_nodes(Face& nodes) {
   return odd;
 }
 
-// Everything that lies on faces, listed by the lowest node.
+// Faces of tets and facets, listed by their lowest node.
 class FaceLists {
  public:
-  FaceLists(Tets tets, std::span<const TetMesh::Facet> facets, Index nodes)
-      : first_(nodes + 1, 0), entries_(4 * tets.size() + facets.size()) {
-    for_each(tets, facets, [&](Index low, const Entry&) { ++first_[low]; });
+  // Those between three chosen nodes.
+  FaceLists(Tets tets, std::span<const TetMesh::Facet> facets, std::span<const std::uint8_t> chosen)
+      : first_(chosen.size() + 1, 0) {
+    for_each(tets, facets, chosen, [&](Index low, const Entry&) { ++first_[low]; });
     Index sum = 0;
     for (Index& first : first_) first = sum += first;
-    for_each(tets, facets, [&](Index low, const Entry& e) { entries_[--first_[low]] = e; });
+    entries_.resize(sum);
+    for_each(tets, facets, chosen, [&](Index low, const Entry& e) { entries_[--first_[low]] = e; });
   }
 
-  std::span<Entry> sorted_from(Index low) {
-    const std::span<Entry> list(entries_.data() + first_[low], entries_.data() + first_[low + 1]);
-    std::sort(list.begin(), list.end());
-    return list;
+  Index nodes() const { return static_cast<Index>(first_.size() - 1); }
+
+  std::span<Entry> from(Index low) {
+    return {entries_.data() + first_[low], entries_.data() + first_[low + 1]};
+  }
+
+  // Calls visit(entries of one face), face by face. Entries are sorted by item.
+  template <class Visit>
+  void visit_faces(Visit visit) {
+    for (Index low = 0; low < nodes(); ++low) {
+      const std::span<Entry> list = from(low);
+      std::sort(list.begin(), list.end());
+      for (std::size_t i = 0, end = 0; i < list.size(); i = end) {
+        while (end < list.size() && list[end].same_place(list[i])) ++end;
+        visit(std::span<const Entry>(list.subspan(i, end - i)));
+      }
+    }
   }
 
  private:
   template <class Visit>
-  static void for_each(Tets tets, std::span<const TetMesh::Facet> facets, Visit visit) {
+  static void for_each(Tets tets, std::span<const TetMesh::Facet> facets,
+                       std::span<const std::uint8_t> chosen, Visit visit) {
     const auto tell = [&](Face nodes, Index item) {
+      if ((chosen[nodes[0]] & chosen[nodes[1]] & chosen[nodes[2]]) == 0) return;
       const bool odd = sort_nodes(nodes);
       visit(nodes[0], Entry{nodes[1], nodes[2], item, odd});
     };
@@ -64,28 +83,80 @@ class FaceLists {
   }
 
   std::vector<Index> first_;
-  std::vector<Entry> entries_;
+  LargeVector<Entry> entries_;
 };
 
-// Turns the sorted lists, face by face, into the result.
+// Finds faces that were met before among those with the same lowest node.
+class FaceTable {
+ public:
+  struct Slot {
+    Entry face;
+    Index low = kNoIndex;
+    bool met_twice = false;
+  };
+
+  // Makes room for the faces of a list.
+  void make_room(std::size_t count) {
+    if (2 * count <= slots_.size()) return;
+    slots_.assign(std::bit_ceil(2 * count), {});
+  }
+
+  // The slot of the face, or the free one where it belongs.
+  Slot& find(Index low, const Entry& face) {
+    std::size_t i = (face.middle * kSpread ^ face.high) * kSpread >> 32;
+    for (;; ++i) {
+      Slot& slot = slots_[i & (slots_.size() - 1)];
+      if (slot.low != low || slot.face.same_place(face)) return slot;
+    }
+  }
+
+ private:
+  static constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15u;
+  std::vector<Slot> slots_;
+};
+
+// Turns what lies on faces, face by face, into the result.
 class FacePairing {
  public:
   FacePairing(Tets tets, std::span<const TetMesh::Facet> facets) : tets_(tets), facets_(facets) {
     faces_ = static_cast<Index>(4 * tets.size());
-    result_.twin.assign(faces_, kNoIndex);
+    assign_large(result_.twin, faces_, kNoIndex);
     result_.constrained.assign(faces_, 0);
     result_.facet_face.assign(facets.size(), kNoIndex);
   }
 
   // All that lies on one face: faces of tets first, because their items are lower.
   void take(std::span<const Entry> entries) {
+    const auto sides = take_facets_of(entries);
+    if (sides.empty()) return;
+    ++result_.faces;
+    if (sides.size() > 1) pair_up(sides);
+  }
+
+  // The same without the faces of tets, which are returned.
+  std::span<const Entry> take_facets_of(std::span<const Entry> entries) {
     const auto is_face = [&](const Entry& e) { return e.item < faces_; };
     const auto split = std::partition_point(entries.begin(), entries.end(), is_face);
     const std::span<const Entry> sides(entries.begin(), split), facets(split, entries.end());
     take_facets(facets, sides);
-    if (sides.empty()) return;
-    ++result_.faces;
-    if (sides.size() > 1) pair_up(sides);
+    return sides;
+  }
+
+  // Pairs up the faces of a mesh that has no crowded or disagreeing face and no tet twice; returns
+  // false if it has one.
+  bool pair_opposites(Index nodes) {
+    FaceLists lists(tets_, {}, std::vector<std::uint8_t>(nodes, 1));
+    FaceTable table;
+    bool good = true;
+    for (Index low = 0; low < nodes && good; ++low) {
+      const auto faces = lists.from(low);
+      table.make_room(faces.size());
+      for (const Entry& face : faces) good &= meet(face, low, table.find(low, face));
+    }
+    if (good) return true;
+    result_.twin.assign(faces_, kNoIndex);
+    result_.faces = 0;
+    return false;
   }
 
   TetFaces take_result() {
@@ -97,6 +168,22 @@ class FacePairing {
   }
 
  private:
+  // Returns whether the face is new, or the other side of one that was met once.
+  bool meet(const Entry& face, Index low, FaceTable::Slot& slot) {
+    if (slot.low != low) {
+      slot = {face, low, false};
+      ++result_.faces;
+      return true;
+    }
+    const Index f = face.item, g = slot.face.item;
+    if (slot.met_twice || face.odd == slot.face.odd || face_apex(tets_, f) == face_apex(tets_, g))
+      return false;
+    slot.met_twice = true;
+    result_.twin[f] = g;
+    result_.twin[g] = f;
+    return true;
+  }
+
   void take_facets(std::span<const Entry> facets, std::span<const Entry> sides) {
     for (std::size_t i = 0; i < facets.size(); ++i) {
       const Index facet = facets[i].item - faces_;
@@ -139,17 +226,26 @@ class FacePairing {
   std::vector<std::uint64_t> apexes_;
 };
 
+// The nodes of facets, as a set of flags.
+std::vector<std::uint8_t> corners_of_facets(std::span<const TetMesh::Facet> facets, Index nodes) {
+  std::vector<std::uint8_t> is_corner(nodes, 0);
+  for (const TetMesh::Facet& facet : facets)
+    for (const Index v : facet.points) is_corner[v] = 1;
+  return is_corner;
+}
+
 }  // namespace
 
 TetFaces pair_tet_faces(Tets tets, std::span<const TetMesh::Facet> facets, Index nodes) {
-  FaceLists lists(tets, facets, nodes);
   FacePairing pairing(tets, facets);
-  for (Index low = 0; low < nodes; ++low) {
-    const auto list = lists.sorted_from(low);
-    for (std::size_t i = 0, end = 0; i < list.size(); i = end) {
-      while (end < list.size() && list[end].same_place(list[i])) ++end;
-      pairing.take(list.subspan(i, end - i));
-    }
+  if (!pairing.pair_opposites(nodes)) {
+    FaceLists(tets, facets, std::vector<std::uint8_t>(nodes, 1)).visit_faces([&](auto entries) {
+      pairing.take(entries);
+    });
+  } else if (!facets.empty()) {
+    FaceLists(tets, facets, corners_of_facets(facets, nodes)).visit_faces([&](auto entries) {
+      pairing.take_facets_of(entries);
+    });
   }
   return pairing.take_result();
 }
@@ -167,11 +263,12 @@ std::uint64_t count_tet_edges(Tets tets, Index nodes) {
   std::vector<Index> highs(sum);
   for_each([&](Index low, Index high) { highs[--first[low]] = high; });
   std::uint64_t edges = 0;
-  for (Index low = 0; low < nodes; ++low) {
-    const auto begin = highs.begin() + first[low], end = highs.begin() + first[low + 1];
-    std::sort(begin, end);
-    edges += static_cast<std::uint64_t>(std::unique(begin, end) - begin);
-  }
+  std::vector<Index> last_low(nodes, kNoIndex);  // for each higher node
+  for (Index low = 0; low < nodes; ++low)
+    for (Index i = first[low]; i < first[low + 1]; ++i) {
+      edges += last_low[highs[i]] != low;
+      last_low[highs[i]] = low;
+    }
   return edges;
 }
 

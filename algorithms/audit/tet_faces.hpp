@@ -1,4 +1,4 @@
-// Which tetrahedra share a face: found by sorting, with everything that is wrong about the faces.
+// Which tetrahedra share a face, with everything that is wrong about the faces.
 #pragma once
 
 #include <array>

@@ -5,9 +5,10 @@
 #include <span>
 #include <utility>
 
-#include "wellspaced/algorithms/audit/angle_intervals.hpp"
+#include "wellspaced/algorithms/audit/interval_counts.hpp"
 #include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/algorithms/audit/shape_tools.hpp"
+#include "wellspaced/algorithms/audit/tet_faces.hpp"
 #include "wellspaced/algorithms/audit/worst_list.hpp"
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/elementary.hpp"
@@ -16,8 +17,8 @@
 namespace wellspaced::audit {
 namespace {
 
-constexpr std::array<double, 11> kTetAspectBounds = {3,  3.5, 4,   5,    7,        10,
-                                                     20, 50,  100, 1000, kInfinity};
+// What parts the intervals from 3 to infinity.
+constexpr std::array<double, 9> kTetAspects = {3.5, 4, 5, 7, 10, 20, 50, 100, 1000};
 
 TetCorners scaled(const TetCorners& tet, double scale) {
   return {scale * tet[0], scale * tet[1], scale * tet[2], scale * tet[3]};
@@ -29,79 +30,76 @@ struct TetEdge {
 constexpr std::array<TetEdge, 6> kTetEdges = {
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
 
-// The cotangent of the dihedral angle at an edge: of the angle between the normals of its faces.
-double dihedral_cotangent(const TetCorners& tet, const TetEdge& edge) {
-  const Point3 along = tet[edge.to] - tet[edge.from];
-  const Point3 n = cross(along, tet[edge.left] - tet[edge.from]);
-  const Point3 m = cross(along, tet[edge.right] - tet[edge.from]);
-  const double sine = length(cross(n, m)), cosine = dot(n, m);
-  return sine > 0 ? cosine / sine : std::copysign(kInfinity, cosine);
-}
+// The faces of a tet as vectors: outward normals as long as twice the areas, if the tet is
+// positive. volume: six times that of the tet, with its sign.
+struct FaceVectors {
+  std::array<Point3, 4> normal;
+  double volume;
 
-struct Ball {
-  Point3 centre;
-  double radius = kInfinity;
+  explicit FaceVectors(const TetCorners& tet) {
+    const Point3 b = tet[1] - tet[0], c = tet[2] - tet[0], d = tet[3] - tet[0];
+    normal = {cross(tet[2] - tet[1], tet[3] - tet[1]), cross(d, c), cross(b, d), cross(c, b)};
+    volume = -dot(b, normal[1]);
+  }
+
+  // The cross product of two normals is the edge between them, times the volume.
+  double dihedral_cotangent(const TetEdge& edge, double edge_length) const {
+    const double sine = std::fabs(volume) * edge_length;
+    const double cosine = -dot(normal[edge.left], normal[edge.right]);
+    return sine > 0 ? cosine / sine : std::copysign(kInfinity, cosine);
+  }
+
+  // Relative to corner 0. Requires: volume != 0.
+  Point3 circumcentre(const TetCorners& tet) const {
+    const Point3 b = tet[1] - tet[0], c = tet[2] - tet[0], d = tet[3] - tet[0];
+    return (-1 / (2 * volume)) *
+           (dot(b, b) * normal[1] + dot(c, c) * normal[2] + dot(d, d) * normal[3]);
+  }
+
+  // Whether a place, relative to corner 0, is on the inner side of every face.
+  bool contain(Point3 place, const TetCorners& tet) const {
+    const Point3 from_b = place - (tet[1] - tet[0]);
+    const int inner = (dot(normal[0], from_b) * volume < 0) + (dot(normal[1], place) * volume < 0) +
+                      (dot(normal[2], place) * volume < 0) + (dot(normal[3], place) * volume < 0);
+    return inner == 4;
+  }
+
+  double surface() const {
+    return (length(normal[0]) + length(normal[1]) + length(normal[2]) + length(normal[3])) / 2;
+  }
 };
 
-bool contains(const Ball& ball, const TetCorners& tet) {
-  return std::all_of(tet.begin(), tet.end(), [&](Point3 p) {
-    return length(p - ball.centre) <= ball.radius * (1 + 1e-12);
-  });
+double square(Point3 v) { return dot(v, v); }
+
+bool is_in_ball(Point3 p, Point3 centre, double radius_sq) {
+  return square(p - centre) <= radius_sq * (1 + 2e-12);
 }
 
-Ball ball_over_edge(Point3 a, Point3 b) { return {0.5 * (a + b), length(a - b) / 2}; }
-
-Ball ball_over_face(Point3 a, Point3 b, Point3 c) {
-  const Point3 p = b - a, q = c - a, n = cross(p, q);
-  const double twice = 2 * dot(n, n);
-  if (!(twice > 0)) return {};
-  const Point3 offset = (1 / twice) * (dot(q, q) * cross(n, p) + dot(p, p) * cross(q, n));
-  return {a + offset, length(offset)};
+// The squared radius of the circle through a, b, c with this normal, if its ball contains d; else
+// infinity.
+double face_ball_sq(Point3 a, Point3 b, Point3 c, Point3 d, Point3 normal) {
+  const double twice = 2 * square(normal);
+  if (!(twice > 0)) return kInfinity;
+  const Point3 p = b - a, q = c - a;
+  const Point3 offset = (1 / twice) * (square(q) * cross(normal, p) + square(p) * cross(q, normal));
+  return is_in_ball(d, a + offset, square(offset)) ? square(offset) : kInfinity;
 }
 
-Ball circumscribed(const TetCorners& tet) {
-  const Point3 b = tet[1] - tet[0], c = tet[2] - tet[0], d = tet[3] - tet[0];
-  const double twice = 2 * dot(b, cross(c, d));
-  if (twice == 0) return {};
-  const Point3 offset =
-      (1 / twice) * (dot(b, b) * cross(c, d) + dot(c, c) * cross(d, b) + dot(d, d) * cross(b, c));
-  return {tet[0] + offset, length(offset)};
-}
-
-// Whether the circumcentre is on the inner side of every face.
-bool contains_its_circumcentre(const TetCorners& tet) {
-  const Point3 centre = circumscribed(tet).centre;
-  for (int i = 0; i < 4; ++i) {
-    const Point3 a = tet[(i + 1) % 4];
-    const Point3 normal = cross(tet[(i + 2) % 4] - a, tet[(i + 3) % 4] - a);
-    if (!(dot(normal, centre - a) * dot(normal, tet[i] - a) > 0)) return false;
+// The smallest ball around a tet that does not contain its circumcentre is that over the longest
+// edge or over a face.
+double containing_radius(const TetCorners& tet, const FaceVectors& faces, const TetEdge& longest,
+                         double circumradius) {
+  const Point3 half = 0.5 * (tet[longest.to] - tet[longest.from]);
+  const Point3 middle = tet[longest.from] + half;
+  if (is_in_ball(tet[longest.left], middle, square(half)) &&
+      is_in_ball(tet[longest.right], middle, square(half)))
+    return length(half);
+  double least_sq = circumradius * circumradius;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [p, q, r] = kFaceCorners[i];
+    least_sq = std::min(least_sq, face_ball_sq(tet[p], tet[q], tet[r], tet[i], faces.normal[i]));
   }
-  return true;
-}
-
-// The smallest ball around a tet is that over an edge, a face or all of it.
-double containing_radius(const TetCorners& tet, double circumradius) {
-  if (contains_its_circumcentre(tet)) return circumradius;
-  double least = circumradius;
-  const auto try_ball = [&](const Ball& ball) {
-    if (ball.radius < least && contains(ball, tet)) least = ball.radius;
-  };
-  for (const TetEdge& e : kTetEdges) try_ball(ball_over_edge(tet[e.from], tet[e.to]));
-  for (int i = 0; i < 4; ++i)
-    try_ball(ball_over_face(tet[(i + 1) % 4], tet[(i + 2) % 4], tet[(i + 3) % 4]));
-  return least;
-}
-
-double volume_of(const TetCorners& tet) {
-  return std::fabs(dot(tet[1] - tet[0], cross(tet[2] - tet[0], tet[3] - tet[0]))) / 6;
-}
-
-double surface_of(const TetCorners& tet) {
-  double twice = 0;
-  for (int i = 0; i < 4; ++i)
-    twice +=
-        length(cross(tet[(i + 2) % 4] - tet[(i + 1) % 4], tet[(i + 3) % 4] - tet[(i + 1) % 4]));
-  return twice / 2;
+  return std::sqrt(least_sq);
 }
 
 // What the shape is made of; angles by their cotangents.
@@ -110,14 +108,19 @@ struct TetFigures {
   double volume, circumradius, containing, inverse_inradius;
 
   explicit TetFigures(const TetCorners& tet) {
+    const FaceVectors faces(tet);
     for (std::size_t i = 0; i < 6; ++i) {
-      cotangents[i] = dihedral_cotangent(tet, kTetEdges[i]);
       lengths[i] = length(tet[kTetEdges[i].to] - tet[kTetEdges[i].from]);
+      cotangents[i] = faces.dihedral_cotangent(kTetEdges[i], lengths[i]);
     }
-    volume = volume_of(tet);
-    circumradius = circumscribed(tet).radius;
-    containing = containing_radius(tet, circumradius);
-    inverse_inradius = ratio(surface_of(tet), 3 * volume);
+    volume = std::fabs(faces.volume) / 6;
+    inverse_inradius = ratio(faces.surface(), 3 * volume);
+    const Point3 centre = volume > 0 ? faces.circumcentre(tet) : Point3{};
+    circumradius = volume > 0 ? length(centre) : kInfinity;
+    const auto longest_at = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
+    containing = volume > 0 && faces.contain(centre, tet)
+                     ? circumradius
+                     : containing_radius(tet, faces, kTetEdges[longest_at], circumradius);
   }
 
   double shortest() const { return *std::min_element(lengths.begin(), lengths.end()); }
@@ -165,27 +168,9 @@ TetClass class_of(const TetFigures& f) {
   return TetClass::kFlat;
 }
 
-Histogram histogram(std::string_view name, std::vector<double> bounds) {
-  Histogram result;
-  result.name = name;
-  result.counts.assign(bounds.size() - 1, 0);
-  result.bounds = std::move(bounds);
-  return result;
-}
-
-void count(Histogram& histogram, double value) {
-  const auto last = histogram.bounds.end() - 1;
-  const auto above = std::upper_bound(histogram.bounds.begin() + 1, last, value);
-  ++histogram.counts[static_cast<std::size_t>(above - histogram.bounds.begin() - 1)];
-}
-
 class TetShapes {
  public:
   explicit TetShapes(const TetMesh& mesh) : mesh_(mesh), scale_(scale_of(mesh.points)) {
-    std::vector<double> degrees;
-    for (int i = 0; i <= 18; ++i) degrees.push_back(10 * i);
-    dihedrals_ = histogram("dihedral", degrees);
-    aspects_ = histogram("aspect_ratio", {kTetAspectBounds.begin(), kTetAspectBounds.end()});
     for (Index t = 0; t < mesh.tets.size(); ++t) add(t);
   }
 
@@ -207,8 +192,8 @@ class TetShapes {
     report.add_measure("longest_edge", longest_ / scale_);
     report.add_measure("gradation", binary_logarithm(ratio(longest_, shortest_)));
     report.add_measure("volume", volume_ / scale_ / scale_ / scale_);
-    report.histograms.push_back(dihedrals_);
-    report.histograms.push_back(aspects_);
+    report.histograms.push_back(dihedrals_.histogram("dihedral"));
+    report.histograms.push_back(aspects_.histogram("aspect_ratio", bounds_between(3, kTetAspects)));
     report_worst(report);
   }
 
@@ -227,8 +212,8 @@ class TetShapes {
     shortest_ = std::min(shortest_, f.shortest());
     longest_ = std::max(longest_, f.longest());
     volume_ += f.volume;
-    for (const double cotangent : f.cotangents) ++dihedrals_.counts[interval_of(cotangent)];
-    count(aspects_, f.aspect_ratio());
+    for (const double cotangent : f.cotangents) dihedrals_.add_cotangent(cotangent);
+    aspects_.add(f.aspect_ratio());
     const TetClass type = class_of(f);
     ++classes_[static_cast<std::size_t>(type)];
     if (type == TetClass::kSliver) slivers_.push_back(t);
@@ -251,7 +236,8 @@ class TetShapes {
   double shortest_ = kInfinity, longest_ = 0;
   std::array<std::uint64_t, 7> classes_{};
   std::vector<Index> slivers_;
-  Histogram dihedrals_, aspects_;
+  AngleCounts dihedrals_;
+  IntervalCounts<kTetAspects.size()> aspects_{kTetAspects};
 };
 
 }  // namespace

@@ -4,28 +4,12 @@
 #include <cstdlib>
 
 #include "wellspaced/algorithms/audit/check_lists.hpp"
+#include "wellspaced/algorithms/audit/components.hpp"
 #include "wellspaced/algorithms/audit/half_edges.hpp"
 #include "wellspaced/kernel/check_points.hpp"
 
 namespace wellspaced::audit {
 namespace {
-
-std::uint64_t count_tet_components(const TetFaces& faces) {
-  std::vector<Index> parent(faces.twin.size() / 4);
-  for (Index t = 0; t < parent.size(); ++t) parent[t] = t;
-  const auto root = [&](Index t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  };
-  for (Index f = 0; f < faces.twin.size(); ++f) {
-    if (faces.twin[f] == kNoIndex || faces.twin[f] < f) continue;
-    const Index a = root(f / 4), b = root(faces.twin[f] / 4);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  std::uint64_t components = 0;
-  for (Index t = 0; t < parent.size(); ++t) components += parent[t] == t;
-  return components;
-}
 
 std::uint64_t count_used_nodes(const TetMesh& mesh, Report& report) {
   std::vector<std::uint8_t> used(mesh.points.size(), 0);
@@ -154,7 +138,7 @@ void audit_tet_topology(const TetMesh& mesh, const TetFaces& faces, Report& repo
               report);
   audit_facets(mesh, faces, report);
   audit_segments(mesh, report);
-  const std::uint64_t components = count_tet_components(faces);
+  const std::uint64_t components = count_components<4>(faces.twin);
   const std::pair<std::string_view, std::uint64_t> counts[] = {
       {"nodes", mesh.points.size()},  {"tets", mesh.tets.size()},
       {"faces", faces.faces},         {"edges", edges},

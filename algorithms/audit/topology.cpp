@@ -21,12 +21,12 @@ bool audit_node_data(const TriangleMesh& mesh, Report& report) {
 }
 
 std::uint64_t count_boundary_loops(const HalfEdges& half_edges) {
-  std::vector<std::uint8_t> marked(half_edges.twin.size(), 0);
+  std::vector<bool> marked(half_edges.twin.size());
   std::uint64_t loops = 0;
   for (Index h = 0; h < marked.size(); ++h) {
-    if (half_edges.twin[h] != kNoIndex || marked[h] != 0) continue;
+    if (half_edges.twin[h] != kNoIndex || marked[h]) continue;
     ++loops;
-    for (Index g = h; marked[g] == 0; g = half_edges.next_on_boundary(g)) marked[g] = 1;
+    for (Index g = h; !marked[g]; g = half_edges.next_on_boundary(g)) marked[g] = true;
   }
   return loops;
 }

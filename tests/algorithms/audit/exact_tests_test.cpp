@@ -116,9 +116,8 @@ TEST(ExactTests, AgreeWithWholeNumbersInSpace) {
           combined(dot(b, b), cross(c, d), dot(c, c), cross(d, b), dot(d, d), cross(b, c));
       const Whole3 normal = cross(q - p, r - p);
       const int side = sign(dot(normal, centre) - 2 * dot(n, d) * dot(normal, p));
-      EXPECT_EQ(audit::circumcentre_side({moved(p), moved(q), moved(r)},
-                                         {at(a), moved(b), moved(c), moved(d)}),
-                side);
+      const audit::Circumcentre3 circumcentre({at(a), moved(b), moved(c), moved(d)});
+      EXPECT_EQ(circumcentre.side({moved(p), moved(q), moved(r)}), side);
       ties += side == 0;
     }
   }

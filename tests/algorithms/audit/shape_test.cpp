@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "tests/support/audit_meshes.hpp"
+#include "wellspaced/algorithms/audit/interval_counts.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
 #include "wellspaced/kernel/random.hpp"
@@ -13,6 +18,8 @@ namespace wellspaced {
 namespace {
 
 using audit::triangle_shape;
+
+constexpr double kFarAway = std::numeric_limits<double>::infinity();
 
 TEST(TriangleShape, AnEquilateralTriangleIsTheBestByEveryMeasure) {
   const auto shape = triangle_shape({0, 0}, {2, 0}, {1, std::sqrt(3.0)});
@@ -40,6 +47,26 @@ TEST(TriangleShape, AnObtuseTriangleFitsADiscSmallerThanItsCircumscribedOne) {
   const auto shape = triangle_shape({-8, 0}, {8, 0}, {0, 1});
   EXPECT_NEAR(shape.circumradius_to_inradius / shape.aspect_ratio, 32.5 / 8, 1e-12);
   EXPECT_NEAR(shape.radius_edge, 32.5 / std::sqrt(65.0), 1e-12);
+}
+
+TEST(IntervalCounts, AreThoseOfASearchAmongTheThresholds) {
+  const std::array<double, 9> thresholds = {-3.5, -1.75, -1e-300, 0, 0.125, 2.5, 3, 1000, 1e300};
+  std::vector<double> values(thresholds.begin(), thresholds.end());
+  for (const double t : thresholds)
+    for (const double to : {-kFarAway, kFarAway}) values.push_back(std::nextafter(t, to));
+  values.insert(values.end(), {-kFarAway, kFarAway, -0.0, 5e-324, -5e-324, 1e-310, 2.75, -2});
+  Random random(3);
+  for (int i = 0; i < 10000; ++i)
+    values.push_back(std::ldexp(random.uniform() - 0.5, static_cast<int>(random.below(40)) - 20));
+  audit::IntervalCounts<9> counts(thresholds);
+  std::vector<std::uint64_t> expected(10, 0);
+  for (const double v : values) {
+    counts.add(v);
+    ++expected[std::upper_bound(thresholds.begin(), thresholds.end(), v) - thresholds.begin()];
+  }
+  counts.add(std::numeric_limits<double>::quiet_NaN());
+  ++expected[0];
+  EXPECT_EQ(counts.histogram("x", {}).counts, expected);
 }
 
 TEST(TriangleShape, RatiosDoNotDependOnTheScale) {
