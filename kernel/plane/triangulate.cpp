@@ -87,13 +87,20 @@ Result<bool> insert_segments(const Pslg& graph, const Progress& progress,
   return true;
 }
 
+// The ids list every pair; the message as many as fit into a line.
 Error crossing_error(const SegmentNetwork& network) {
+  constexpr std::size_t kNamed = 20;
+  const std::vector<SegmentCrossing>& pairs = network.crossings;
   Error error{ErrorCode::kInvalidGeometry, "", {}};
-  for (const SegmentCrossing& c : network.crossings)
-    error.ids.insert(error.ids.end(), c.segment.begin(), c.segment.end());
-  error.message = std::to_string(network.crossings.size()) +
-                  " pairs of segments cross, the first of them segments " +
-                  std::to_string(error.ids[0]) + " and " + std::to_string(error.ids[1]);
+  error.message = std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair" : " pairs") +
+                  " of segments cross: ";
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [s, t] = pairs[k].segment;
+    error.ids.insert(error.ids.end(), {s, t});
+    if (k < kNamed)
+      error.message += (k == 0 ? "" : ", ") + std::to_string(s) + " and " + std::to_string(t);
+  }
+  if (pairs.size() > kNamed) error.message += ", ...";
   return error;
 }
 

@@ -114,6 +114,7 @@ TEST(Triangulate, RefuseListsEveryCrossingPair) {
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, ErrorCode::kInvalidGeometry);
   EXPECT_EQ(result.error().ids, (std::vector<Index>{0, 1, 0, 2, 1, 2}));
+  EXPECT_EQ(result.error().message, "3 pairs of segments cross: 0 and 1, 0 and 2, 1 and 2");
 }
 
 // Against all pairs, by orientations alone.
