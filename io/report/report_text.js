@@ -109,9 +109,9 @@ const kTellingDegrees = 2;
 function headline(report, levels) {
   if (showsTheContrast(report, levels)) {
     const [better, worse] = report.methods.map(smallestInteriorAngle);
-    const angles_pay = better !== null && worse !== null && better > worse + kTellingDegrees;
+    const anglesPay = better !== null && worse !== null && better > worse + kTellingDegrees;
     return 'Function-based coarsening evens the mesh out. Independent sets (MIS) keep its grading'
-        + (angles_pay ? ', and the angles pay for it.' : '.');
+        + (anglesPay ? ', and the angles pay for it.' : '.');
   }
   const names = new Intl.ListFormat('en-GB').format(report.methods.map(methodName));
   return `${names} coarsening of ${count(report.methods[0].levels[0].statistics.nodes)} nodes`;

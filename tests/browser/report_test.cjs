@@ -224,6 +224,9 @@ test('tables have a row for each level, with the figures of the JSON', async () 
       if (level.intersection) assert.ok(cells.includes(level.intersection.mean.toFixed(2)));
     }
   }
+  const notes = await page.locator('#tables .legend').textContent();
+  for (const name of ['Gradation', 'Intersection', 'Path depth', 'Node search', 'Edge search'])
+    assert.ok(notes.includes(name + ': '), `${name} is explained`);
 });
 
 test('charts draw a mark for each measured value', async () => {
@@ -311,4 +314,5 @@ test('a uniform mesh without measured angles makes a report, too', async () => {
   assert.match(await page.locator('#lead').textContent(), /600 nodes .* nearly uniform in size/);
   assert.deepEqual(await page.locator('table').first().locator('thead tr').last().locator('th').allTextContents(),
                    ['level', 'nodes', 'triangles', 'boundary edges']);
+  assert.equal(await page.locator('#tables .legend').count(), 0, 'no column needs a word');
 });
