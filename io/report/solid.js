@@ -39,22 +39,22 @@ class Solid {
   corners(t) { return [0, 1, 2, 3].map(i => this.point(this.tets[4 * t + i])); }
   face(f) { return kFaces[f % 4].map(i => this.tets[f - f % 4 + i]); }
 
-  // Pairs up faces by their lowest corner.
+  // Pairs up faces: those with one lowest corner hang on a chain.
   neighbours() {
-    const beyond = new Int32Array(4 * this.count).fill(-1);
-    const byLowest = new Map();
-    for (let f = 0; f < beyond.length; ++f) {
-      const [a, b, c] = this.face(f).sort((x, y) => x - y);
-      const key = b * 4294967296 + c;
-      let others = byLowest.get(a);
-      if (!others) byLowest.set(a, others = new Map());
-      const twin = others.get(key);
-      if (twin === undefined) {
-        others.set(key, f);
-      } else {
-        beyond[f] = twin >> 2;
-        beyond[twin] = f >> 2;
-      }
+    const faces = 4 * this.count, beyond = new Int32Array(faces).fill(-1);
+    const latest = new Int32Array(this.points.length / 3).fill(-1), before = new Int32Array(faces);
+    const middle = new Uint32Array(faces), highest = new Uint32Array(faces);
+    for (let f = 0; f < faces; ++f) {
+      const [i, j, k] = this.face(f), low = Math.min(i, j, k);
+      highest[f] = Math.max(i, j, k);
+      middle[f] = i ^ j ^ k ^ low ^ highest[f];
+      let twin = latest[low];
+      while (twin >= 0 && !(middle[twin] === middle[f] && highest[twin] === highest[f])) twin = before[twin];
+      before[f] = latest[low];
+      latest[low] = f;
+      if (twin < 0) continue;
+      beyond[f] = twin >> 2;
+      beyond[twin] = f >> 2;
     }
     return beyond;
   }
@@ -120,7 +120,8 @@ class SolidPage {
     this.view = {...kStart};
     if (data.tets) this.solid = new Solid(data);
     this.connect();
-    this.describeColours();
+    if (this.solid) this.describeColours();
+    else this.canvas.setAttribute('aria-label', this.notice());
     this.cut();
   }
 
@@ -214,7 +215,7 @@ class SolidPage {
   describeColours() {
     const item = (name, words) => element('span', {},
         element('span', {class: 'face', style: `background: var(--${name})`}), words);
-    const flat = this.solid ? this.solid.isFlat.reduce((sum, one) => sum + one, 0) : 0;
+    const flat = this.solid.isFlat.reduce((sum, one) => sum + one, 0);
     document.getElementById('legend').append(
         item('series-0', 'the boundary'), item('series-3', 'tets at the cut'),
         item('below-10', `of them, if marked, flat ones: of ${count(flat)} with a dihedral angle `
@@ -278,11 +279,13 @@ class SolidPage {
   lineWidth() { return this.faces.length > 20000 ? 0.25 : this.faces.length > 5000 ? 0.4 : 0.6; }
   edgeColour() { return this.isOn('edges') ? '#12202b' : null; }
 
+  notice() { return `${count(this.data.count)} tets: too many to draw here`; }
+
   drawNotice(context, width, height) {
     context.fillStyle = colourOf('soft');
     context.font = '15px system-ui, sans-serif';
     context.textAlign = 'center';
-    context.fillText(`${count(this.data.count)} tets: too many to draw here`, width / 2, height / 2);
+    context.fillText(this.notice(), width / 2, height / 2);
   }
 
   save() {

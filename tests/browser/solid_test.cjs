@@ -28,6 +28,8 @@ before(async () => {
   fs.writeFileSync(file('box.smesh'), kBox);
   counts = JSON.parse(execFileSync(process.env.WELLSPACED_PROGRAM,
       ['mesh', file('box.smesh'), '--report', file('box.html'), '--json', '-'], {encoding: 'utf8'}));
+  execFileSync(process.env.WELLSPACED_PROGRAM,
+      ['mesh', file('box.smesh'), '--beta', '36', '--report', file('fine.html')]);
   browser = await chromium.launch({executablePath: kChromium, args: kArguments});
 });
 
@@ -42,16 +44,16 @@ afterEach(async () => {
   assert.deepEqual(complaints, [], 'errors on the console, or requests to elsewhere');
 });
 
-async function open(options = {}) {
+async function open(name = 'box.html') {
   await page?.close();
   complaints = [];
-  page = await browser.newPage({viewport: {width: 1280, height: 900}, ...options});
+  page = await browser.newPage({viewport: {width: 1280, height: 900}});
   page.on('console', message => { if (message.type() !== 'log') complaints.push(message.text()); });
   page.on('pageerror', error => complaints.push(error.message));
   page.on('request', request => {
     if (!/^(file|blob|data):/.test(request.url())) complaints.push(request.url());
   });
-  await page.goto('file://' + file('box.html'));
+  await page.goto('file://' + file(name));
   await drawn();
 }
 
@@ -145,4 +147,10 @@ test('saves the picture as SVG', async () => {
   const svg = fs.readFileSync(await download.path(), 'utf8');
   assert.match(svg, /^<svg /);
   assert.ok(svg.match(/<path/g).length > 100);
+});
+
+test('says so where a mesh is too large to be drawn', async () => {
+  await open('fine.html');
+  assert.match(await page.getAttribute('#solid', 'aria-label'), /tets: too many to draw here/);
+  assert.equal(await page.textContent('#legend'), '');
 });
