@@ -159,8 +159,8 @@ bool Delaunay2::build_from(std::span<const Point2> points, InsertionRuns& runs,
   return true;
 }
 
-// Makes the first triangle of the first points in general position and swaps them to the front.
-// Returns false if there are none; dimension_ is set either way.
+// Makes the first triangle, of the first points in general position. Returns false if there are
+// none; dimension_ is set either way.
 bool Delaunay2::start() {
   const Index n = static_cast<Index>(points_.size());
   Index b = 1, c = 2;
