@@ -120,8 +120,8 @@ CoarseningOptions theorem_options(CoarseningMethod method);
 /// The coarsening sequence of a mesh, finest level first. Each level is the constrained Delaunay
 /// triangulation of nodes selected from the level before or from the input, by the scheme: special
 /// points, then boundary nodes, then interior nodes, each a maximal set without conflicts in random
-/// order. The sequence ends before the first level that would drop no node; a threshold that drops
-/// none is raised on.
+/// order. The sequence ends before the first level that would drop no node, or that special points
+/// are too few for to keep a triangle; a threshold that drops none is raised on.
 /// mesh: see TriangleMesh; boundary edges that are missing from its segments are added with marker
 ///   1. Holes, several components, inner segments, slits, dangling segments and isolated points
 ///   are all kept.

@@ -66,6 +66,7 @@ class SchemeRun {
   SourceMesh finest_source();
   bool may_go_on() const;
   bool stops(const Result<CoarseningStep>& step);
+  bool collapses(const Level& level) const;
   void append(CoarseningStep step);
   std::size_t levels_to_the_end() const;
   void stack(std::vector<CoarseningStep> coarse_to_fine);
@@ -108,6 +109,11 @@ bool SchemeRun::stops(const Result<CoarseningStep>& step) {
   return true;
 }
 
+// Whether too few special points have let the domain shrink to nothing.
+bool SchemeRun::collapses(const Level& level) const {
+  return level.mesh.triangles.empty() && !hierarchy_.levels[0].mesh.triangles.empty();
+}
+
 void SchemeRun::append(CoarseningStep step) {
   hierarchy_.levels.back().work = step.work;
   hierarchy_.levels.push_back(std::move(step.level));
@@ -130,7 +136,7 @@ Result<Hierarchy> SchemeRun::fine_to_coarse() {
       if (hierarchy_.complete) return built.error();
       break;
     }
-    if (nodes_of(built->level) == nodes_of(finer)) break;
+    if (nodes_of(built->level) == nodes_of(finer) || collapses(built->level)) break;
     append(std::move(*built));
   }
   return std::move(hierarchy_);
@@ -150,6 +156,7 @@ Result<Hierarchy> SchemeRun::from_finest() {
       if (hierarchy_.complete) return built.error();
       break;
     }
+    if (collapses(built->level)) break;
     if (nodes_of(built->level) >= nodes_of(before)) {
       if (i < stalls) continue;
       break;
@@ -194,10 +201,12 @@ Result<Hierarchy> SchemeRun::coarse_to_fine() {
     if (nodes == nodes_of(source.level)) break;  // nor does any finer level drop a node
     // Of levels with equal nodes the finest stays, and of those within `until` likewise.
     const bool replaces =
-        !built.empty() && (nodes == nodes_of(built.back().level) || nodes <= options_.until_nodes);
+        !built.empty() && (nodes == nodes_of(built.back().level) || nodes <= options_.until_nodes ||
+                           collapses(built.back().level));
     if (replaces) built.pop_back();
     built.push_back(std::move(*next));
   }
+  if (!built.empty() && collapses(built.back().level)) built.pop_back();
   stack(std::move(built));
   return std::move(hierarchy_);
 }

@@ -365,5 +365,20 @@ TEST(Schemes, GiveValidSequencesOfRealMeshes) {
   }
 }
 
+// Two special points cannot hold up a domain: the sequence ends before it is gone.
+TEST(Schemes, EndBeforeALevelWithoutTriangles) {
+  std::vector<CoarseningOptions> all = all_options();
+  all.push_back(theorem_options(CoarseningMethod::kMis));
+  all.push_back(theorem_options(CoarseningMethod::kQuadtree));
+  for (CoarseningOptions options : all) {
+    options.fixed = std::vector<Index>{0, 20};
+    const auto hierarchy = coarsen(test::grid_mesh({.nx = 20, .ny = 20, .seed = 3}), options);
+    ASSERT_TRUE(hierarchy.ok());
+    EXPECT_GT(hierarchy->levels.size(), 1u) << describe(options);
+    for (const Level& level : hierarchy->levels)
+      EXPECT_FALSE(level.mesh.triangles.empty()) << describe(options);
+  }
+}
+
 }  // namespace
 }  // namespace wellspaced
