@@ -8,6 +8,9 @@
 
 namespace wellspaced {
 
+/// What different threads write should lie this far apart: processors fetch memory in lines.
+inline constexpr std::size_t kCacheLine = 64;
+
 /// Calls task(worker, i) once for every i below `count` and returns when all is done. Worker w does
 /// i = w, w + workers, ... one after the other; worker 0 is the caller's thread, the others have
 /// threads of their own, or the caller's where the system grants none.

@@ -1,12 +1,5 @@
 // How Delaunay2::build inserts its points: one after the other, each near the one before it.
 //
-// It is fast because everything is seen from the point p that goes in: a vertex as its difference
-// from p and the square of that, an edge (u, v) as the minor ux vy - uy vx. The minor is
-// orient2d(u, v, p), by which the walk to p steers, and both triangles at the edge need it for
-// incircle. So a step over an edge costs one new vertex and two new minors, in the walk as in the
-// search for the triangles that p ends. The ghost is seen as (0, 0, s), the point at infinity of
-// the paraboloid: with it incircle says whether p lies beyond the hull edge.
-//
 // Many points are inserted by region: each round is cut where the curve enters the next of a few
 // regions of the plane, and in a large round the regions are filled at the same time. A region owns
 // the triangles all of whose real vertices lie in it; a triangle with vertices of several regions
@@ -18,22 +11,17 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <utility>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "wellspaced/kernel/large_pages.hpp"
-#include "wellspaced/kernel/lifted_filter.hpp"
 #include "wellspaced/kernel/parallel.hpp"
 #include "wellspaced/kernel/plane/delaunay2.hpp"
-#include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/plane/point_inserter2.hpp"
 
 namespace wellspaced {
 namespace {
-
-using predicate_filter::edge_minor;
-using predicate_filter::Lifted;
-
-// Most stars have fewer edges than this.
-constexpr std::size_t kUsualStar = 64;
 
 // A round of fewer points is not worth dividing.
 constexpr Index kRoundWorthDividing = Index{1} << 14;
@@ -41,276 +29,6 @@ constexpr Index kRoundWorthDividing = Index{1} << 14;
 constexpr Index kStarts = 256;
 // Whoever listens is asked after so many points.
 constexpr Index kAskEvery = Index{1} << 13;
-
-// What different threads write lies this far apart: processors fetch memory in lines.
-constexpr std::size_t kCacheLine = 64;
-
-constexpr Index kGhostVertex = Triangulation2::kGhost;
-// Marks a link that leads into a border triangle. No edge is constrained yet, so the bit is free.
-constexpr std::uint32_t kFence = 4;
-
-constexpr std::uint32_t packed_link(Index t, unsigned i) { return t << 3 | i; }
-
-// A triangle as p sees it: the link to one of its edges, which runs from a to b, the corner c
-// opposite, and the minors of its sides.
-struct SeenTriangle {
-  std::uint32_t link;
-  Lifted a, b, c;
-  double ab, bc, ca;
-};
-
-// An edge on the way round the hole, as far as that is known: where it ends, its minor, and the
-// link to its outer side. It starts where the one before it ends.
-struct OpenEdge {
-  Lifted end;
-  double minor;
-  std::uint32_t link;
-};
-
-// Makes points[v] vertex v. One a thread. Triangle is Triangulation2's.
-template <class Triangle>
-class alignas(kCacheLine) PointInserter {
- public:
-  enum class Outcome { kInserted, kTwin, kFenced };
-
-  // Requires: `triangles` begins with the Delaunay triangulation of three of the points.
-  PointInserter(LargeVector<Triangle>& triangles, std::span<const Point2> points)
-      : triangles_(triangles),
-        points_(points),
-        slots_(kUsualStar),
-        stack_(kUsualStar),
-        removed_(kUsualStar) {
-    const auto& v = triangles[0].vertex;
-    ghost_sq_ = predicate_filter::lifted(points[v[0]], points[v[1]]).sq;
-  }
-
-  // The next walk starts at triangle `hint`; kNoIndex: there is no way.
-  void start_at(Index hint) { hint_ = hint; }
-
-  // The triangle that point v lies in or on, or the ghost that it lies strictly beyond.
-  Index locate(Index v) {
-    p_ = points_[v];
-    return hint_ = walk(hint_).link >> 3;
-  }
-
-  // kInserted: point v is a vertex, with the triangles first_new and first_new + 1 beside those
-  // that it changed; the search for `next` will start near it. kTwin: it has the coordinates of
-  // vertex twin(). kFenced: the fence was met. In both cases nothing is changed.
-  // Cost: the walk from the last point, and the degree of the new vertex.
-  Outcome insert(Index v, Index first_new, Index next) {
-    if (hint_ == kNoIndex) return Outcome::kFenced;
-    p_ = points_[v];
-    const SeenTriangle place = walk(hint_);
-    if (place.link & kFence) return Outcome::kFenced;
-    twin_ = twin_of_p(place);
-    if (twin_ != kNoIndex) return Outcome::kTwin;
-    slots_[0] = first_new;
-    slots_[1] = first_new + 1;
-    const Index towards_next = replace_hole(v, place, see(next));
-    if (towards_next == kNoIndex) return Outcome::kFenced;
-    hint_ = towards_next;
-    return Outcome::kInserted;
-  }
-
-  Index twin() const { return twin_; }
-
- private:
-  const Triangle& triangle(std::uint32_t link) const { return triangles_[link >> 3]; }
-
-  // ---- What p sees.
-
-  Lifted see(Index v) const {
-    if (v == kGhostVertex) return {0, 0, ghost_sq_};
-    return predicate_filter::lifted(points_[v], p_);
-  }
-
-  // On which side of edge i of triangle t p lies: positive on its left. `from` and `to` are its
-  // ends.
-  int side(const Triangle& t, unsigned i, Lifted from, Lifted to) const {
-    const int sign = predicate_filter::orient2d_of_differences(from.x, from.y, to.x, to.y);
-    return sign != 0 ? sign : exact_side(t, i);
-  }
-
-  int exact_side(const Triangle& t, unsigned i) const {
-    return orient2d(points_[t.vertex[Triangulation2::next(i)]],
-                    points_[t.vertex[Triangulation2::previous(i)]], p_);
-  }
-
-  // Whether triangle t behind e is in conflict with p. e begins at `start`; in and out are the
-  // minors of the triangle's other sides, from there to its apex and on to the end of e.
-  bool is_in_hole(const Triangle& t, const OpenEdge& e, Lifted start, Lifted apex, double in,
-                  double out) const {
-    const auto estimate =
-        predicate_filter::incircle_of_minors(e.end, start, apex, -e.minor, in, out);
-    if (estimate.determinant > estimate.bound) return true;
-    if (estimate.determinant < -estimate.bound) return false;
-    return is_in_conflict(t);
-  }
-
-  // Exactly: whether p lies inside the triangle's circumcircle; for a ghost, beyond the hull edge
-  // or on it.
-  bool is_in_conflict(const Triangle& t) const {
-    const auto& v = t.vertex;
-    for (unsigned i = 0; i < 3; ++i) {
-      if (v[i] != kGhostVertex) continue;
-      const int sign = exact_side(t, i);
-      if (sign != 0) return sign > 0;
-      return strictly_between(points_[v[Triangulation2::next(i)]], p_,
-                              points_[v[Triangulation2::previous(i)]]);
-    }
-    return incircle(points_[v[0]], points_[v[1]], points_[v[2]], p_) > 0;
-  }
-
-  // ---- Location.
-
-  // The triangle that p lies in or on, or the ghost that p lies strictly beyond, from triangle
-  // `hint`; or what is known when the way leads over the fence: a link with its mark. A visibility
-  // walk: from triangle to triangle over an edge that has p strictly on its far side. In a Delaunay
-  // triangulation it never comes back to a triangle (Edelsbrunner, An acyclicity theorem for cell
-  // complexes in d dimensions, 1990).
-  SeenTriangle walk(Index hint) const {
-    std::uint32_t link = packed_link(hint, 0);
-    for (unsigned i = 0; i < 3; ++i)
-      if (triangles_[hint].vertex[i] == kGhostVertex) link = triangles_[hint].link[i];
-    const Triangle& t = triangle(link);
-    const unsigned i = link & 3;
-    Lifted a = see(t.vertex[Triangulation2::next(i)]),
-           b = see(t.vertex[Triangulation2::previous(i)]);
-    if (side(t, i, a, b) < 0) {
-      link = t.link[i];
-      std::swap(a, b);
-    }
-    return walk_over(link, a, b);
-  }
-
-  // The rest of the walk, over the edge from a to b, which has p on the side of the link.
-  SeenTriangle walk_over(std::uint32_t link, Lifted a, Lifted b) const {
-    double ab = edge_minor(a, b);
-    for (;;) {
-      if (link & kFence) return {link, a, b, {}, ab, 0, 0};
-      const Triangle& t = triangle(link);
-      const unsigned i = link & 3, next = Triangulation2::next(i),
-                     previous = Triangulation2::previous(i);
-      const Lifted c = see(t.vertex[i]);
-      if (t.vertex[i] == kGhostVertex) return {link, a, b, c, ab, 0, 0};
-      const double bc = edge_minor(b, c), ca = edge_minor(c, a);
-      if (side(t, next, b, c) < 0) {
-        link = t.link[next];
-        a = c;
-        ab = -bc;
-      } else if (side(t, previous, c, a) < 0) {
-        link = t.link[previous];
-        b = c;
-        ab = -ca;
-      } else {
-        return {link, a, b, c, ab, bc, ca};
-      }
-    }
-  }
-
-  // The corner of the triangle that has p's coordinates, or kNoIndex.
-  Index twin_of_p(const SeenTriangle& place) const {
-    if ((place.a.sq != 0) & (place.b.sq != 0) & (place.c.sq != 0)) return kNoIndex;
-    for (const Index v : triangle(place.link).vertex)
-      if (v != kGhostVertex && points_[v] == p_) return v;
-    return kNoIndex;
-  }
-
-  // ---- Insertion.
-
-  // Puts the edges of the first triangle of the hole on the stack.
-  void open_hole(const SeenTriangle& root) {
-    const auto& link = triangle(root.link).link;
-    const unsigned i = root.link & 3;
-    slots_[2] = root.link >> 3;
-    removed_[2] = triangle(root.link);
-    stack_[0] = {root.a, root.ca, link[Triangulation2::previous(i)]};
-    stack_[1] = {root.c, root.bc, link[Triangulation2::next(i)]};
-    stack_[2] = {root.b, root.ab, link[i]};
-  }
-
-  // Replaces the triangles in conflict with p, of which `root` is one, by the star of p, vertex v.
-  // Returns the triangle of the star that looks towards `next`, as far as floating point tells; or
-  // kNoIndex, with nothing changed, if one of the triangles is behind the fence.
-  //
-  // No vertex lies inside the hole, so its triangles form a tree: each is met once, no mark is
-  // needed, and walking the tree in order meets the rim in order. While an edge is still on the
-  // stack, there are at most as many rim edges as triangles in the hole and one more. So slot k and
-  // the next one are known when rim edge k is found, and what they held has been read: the star is
-  // written at once.
-  //
-  // Not inlined: its loop needs all registers for itself.
-  [[gnu::noinline]] Index replace_hole(Index v, const SeenTriangle& root, Lifted next) {
-    Triangle* const triangles = triangles_.data();
-    open_hole(root);
-    std::size_t slot_count = 3, open = 2, k = 0;
-    OpenEdge e = stack_[open];
-    Lifted start = root.a;
-    Index before = kNoIndex;
-    Index looks_towards[2] = {slots_[0], slots_[0]};  // the last that does not and that does
-    bool is_right = edge_minor(start, next) >= 0;     // `start`, of the way to `next`
-    for (;;) {
-      Triangle& t = triangles[e.link >> 3];
-      const unsigned i = e.link & 3, next_i = Triangulation2::next(i),
-                     previous_i = Triangulation2::previous(i);
-      const Lifted apex = see(t.vertex[i]);
-      const double in = edge_minor(start, apex), out = edge_minor(apex, e.end);
-      if (is_in_hole(t, e, start, apex, in, out)) {
-        if (e.link & kFence) return restore_hole(slot_count);
-        removed_[slot_count] = t;
-        slots_[slot_count++] = e.link >> 3;
-        if (slot_count == slots_.size()) make_room();
-        stack_[open++] = {e.end, out, t.link[previous_i]};
-        e = {apex, in, t.link[next_i]};
-        continue;
-      }
-      const Index here = slots_[k++];
-      triangles[here] = {{v, t.vertex[previous_i], t.vertex[next_i]},
-                         {e.link, packed_link(slots_[k], 2), packed_link(before, 1)}};
-      t.link[i] = packed_link(here, 0);
-      before = here;
-      const bool end_is_right = edge_minor(e.end, next) >= 0;
-      looks_towards[is_right & !end_is_right] = here;
-      is_right = end_is_right;
-      if (open == 0) break;
-      start = e.end;
-      e = stack_[--open];
-    }
-    triangles[before].link[1] = packed_link(slots_[0], 2);
-    triangles[slots_[0]].link[2] = packed_link(before, 1);
-    return looks_towards[1];
-  }
-
-  void make_room() {
-    slots_.resize(2 * slots_.size());
-    stack_.resize(2 * stack_.size());
-    removed_.resize(2 * removed_.size());
-  }
-
-  // Puts back the triangles of the hole, and the links to them. Returns kNoIndex.
-  Index restore_hole(std::size_t slot_count) {
-    for (std::size_t k = 2; k < slot_count; ++k) {
-      triangles_[slots_[k]] = removed_[k];
-      for (unsigned i = 0; i < 3; ++i) {
-        const std::uint32_t outside = removed_[k].link[i];
-        triangles_[outside >> 3].link[outside & 3] = packed_link(slots_[k], i);
-      }
-    }
-    return kNoIndex;
-  }
-
-  LargeVector<Triangle>& triangles_;
-  std::span<const Point2> points_;
-  Index hint_ = 0;
-  Index twin_ = kNoIndex;
-  double ghost_sq_;  // how the ghost is seen; its size does not matter to a sign
-  Point2 p_ = {};    // the point that goes in
-  // Scratch space. The slots are the numbers that the triangles of p's star get: two new ones, then
-  // those of the hole, whose triangles were `removed`.
-  std::vector<Index> slots_;
-  std::vector<OpenEdge> stack_;
-  std::vector<Triangle> removed_;
-};
 
 // Makes all points vertices, round by round, as long as `progress` does not say stop.
 template <class Triangle, class Duplicate>
@@ -346,7 +64,7 @@ class BulkInsertion {
   }
 
  private:
-  using Inserter = PointInserter<Triangle>;
+  using Inserter = PointInserter2<Triangle>;
   using Outcome = typename Inserter::Outcome;
 
   struct alignas(kCacheLine) Region {
@@ -390,7 +108,7 @@ class BulkInsertion {
     note_regions(earlier_ends, static_cast<unsigned>(ends.size()));
     const std::vector<Index> border = border_triangles();
     std::vector<Region> regions = make_regions(begin, ends);
-    set_fence(border, kFence);
+    set_fence(border, Inserter::kFence);
     run_parallel(static_cast<unsigned>(inserters_.size()), regions.size(),
                  [&](unsigned worker, std::size_t r) { fill(regions[r], worker); });
     set_fence(border, 0);
@@ -410,7 +128,7 @@ class BulkInsertion {
   std::uint8_t owner(const Triangle& t) const {
     std::uint8_t region = kBorder;
     for (const Index v : t.vertex) {
-      if (v == kGhostVertex) continue;
+      if (v == Triangulation2::kGhost) continue;
       if (v >= region_of_vertex_.size()) return kBorder;  // the first triangle came out of turn
       if (region == kBorder) region = region_of_vertex_[v];
       if (region != region_of_vertex_[v]) return kBorder;
@@ -452,7 +170,7 @@ class BulkInsertion {
     for (const Index t : border) {
       for (const std::uint32_t link : triangles_[t].link) {
         std::uint32_t& mirror = triangles_[link >> 3].link[link & 3];
-        mirror = (mirror & ~kFence) | mark;
+        mirror = (mirror & ~Inserter::kFence) | mark;
       }
     }
   }
@@ -508,7 +226,7 @@ class BulkInsertion {
     triangles_[to] = triangles_[from];
     for (unsigned i = 0; i < 3; ++i) {
       const std::uint32_t link = triangles_[to].link[i];
-      triangles_[link >> 3].link[link & 3] = packed_link(to, i);
+      triangles_[link >> 3].link[link & 3] = Inserter::packed_link(to, i);
     }
   }
 
