@@ -48,9 +48,9 @@ Result<TriangleMesh> generate_well_spaced(const WellSpacedOptions& options,
   if (!(options.octaves >= 0 && options.octaves <= 16))
     return Error{ErrorCode::kUsage, "a well-spaced set may be graded over 0 to 16 octaves", {}};
   constexpr int kMostRounds = 12;
-  constexpr double kSteepestSet = 0.5;
+  constexpr double kLargestScale = 0.5;
   const double wanted = options.nodes, tolerance = options.nodes < 200 ? 0.1 : 0.05;
-  double scale = kSteepestSet;
+  double scale = kLargestScale;
   for (int round = 0; round < kMostRounds; ++round) {
     auto packed = set_at_scale(scale, options, progress);
     if (!packed) return packed.error();
@@ -58,7 +58,7 @@ Result<TriangleMesh> generate_well_spaced(const WellSpacedOptions& options,
     if (std::fabs(count - wanted) <= tolerance * wanted) return std::move(packed->mesh);
     // The number times the square of the scale is nearly constant; on the way up, by steps.
     const double next = count < wanted / 8 ? std::fmin(wanted, 8 * count) : wanted;
-    scale = std::fmin(scale * std::sqrt(count / next), kSteepestSet);
+    scale = std::fmin(scale * std::sqrt(count / next), kLargestScale);
   }
   return Error{ErrorCode::kUsage, "this number of nodes does not suit this grading", {}};
 }
