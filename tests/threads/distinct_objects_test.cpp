@@ -11,6 +11,7 @@
 #include "tests/support/temporary_directory.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
+#include "wellspaced/algorithms/coarsening/repeated_coarsening.hpp"
 #include "wellspaced/algorithms/packing/pack_domain.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
@@ -31,8 +32,9 @@ void write_numbers(TextWriter& out, const auto& rows) {
 std::string coarsened(std::uint64_t seed) {
   const TriangleMesh mesh = test::grid_mesh({.nx = 20, .ny = 20, .seed = seed});
   TextWriter out;
-  for (const auto method : {CoarseningMethod::kFunction, CoarseningMethod::kMis,
-                            CoarseningMethod::kThreshold, CoarseningMethod::kQuadtree}) {
+  for (const auto method :
+       {CoarseningMethod::kFunction, CoarseningMethod::kMis, CoarseningMethod::kThreshold,
+        CoarseningMethod::kQuadtree, CoarseningMethod::kRefinement}) {
     CoarseningOptions options = theorem_options(method);
     options.seed = seed;
     const auto hierarchy = coarsen(mesh, options);
@@ -113,6 +115,22 @@ TEST(Threads, OneMeshMayBeReadByAll) {
     threads.emplace_back([&] { count = coarsen(mesh, {})->levels.size(); });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(levels, std::vector<std::size_t>(4, coarsen(mesh, {})->levels.size()));
+}
+
+TEST(Threads, RepeatedRunsShareNothing) {
+  const TriangleMesh mesh = test::grid_mesh({.nx = 20, .ny = 20});
+  const auto nodes_of_levels = [&](unsigned threads) {
+    std::vector<std::size_t> nodes;
+    const auto runs =
+        repeat_coarsening([&](std::uint64_t) { return mesh; }, {}, {.runs = 8, .threads = threads});
+    EXPECT_TRUE(runs.ok());
+    if (!runs) return nodes;
+    for (const RunStatistics& run : *runs)
+      for (const LevelStatistics& level : run) nodes.push_back(level.nodes);
+    return nodes;
+  };
+  EXPECT_EQ(nodes_of_levels(4), nodes_of_levels(1));
+  EXPECT_GE(nodes_of_levels(4).size(), 16u);
 }
 
 TEST(Threads, SpaceIsFilledByRegionsWithoutRaces) {
