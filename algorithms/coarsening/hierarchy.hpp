@@ -69,9 +69,12 @@ inline std::vector<Index> numbers_among(std::span<const Index> origin,
 
 /// levels[0] is the input, its segments completed and its fixed points those used. complete is
 /// false where coarsening was told to stop before its end; the levels that are there are whole.
+/// nodes_for_angles: kRefinement: a level of fewer nodes may have smaller angles than those sought,
+/// for the special points ask for so many; 0: not known.
 struct Hierarchy {
   std::vector<Level> levels;
   bool complete = true;
+  std::size_t nodes_for_angles = 0;
 };
 
 }  // namespace wellspaced

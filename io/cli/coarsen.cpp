@@ -157,6 +157,17 @@ std::vector<const MatrixFormat*> read_matrix_formats(Arguments& arguments,
   return formats;
 }
 
+// No option may be given that says nothing to any of the methods.
+void refuse_idle_options(Arguments& arguments, std::span<const CoarseningMethod> methods) {
+  const auto refinements = std::ranges::count(methods, CoarseningMethod::kRefinement);
+  if (refinements == std::ssize(methods))
+    for (const char* name : {"--factor", "--protect", "--order"})
+      if (arguments.has(name)) arguments.refuse(name, "is not for levels of --profile quality");
+  if (refinements == 0)
+    for (const char* name : {"--targets", "--ratio", "--angle"})
+      if (arguments.has(name)) arguments.refuse(name, "is for levels of --profile quality alone");
+}
+
 CoarsenRequest read_request(Arguments& arguments, std::uint64_t seed) {
   CoarsenRequest request;
   const Profile profile = read_profile(arguments);
@@ -177,6 +188,7 @@ CoarsenRequest read_request(Arguments& arguments, std::uint64_t seed) {
   options.limit_by_special_points = arguments.has("--special-lfs");
   request.methods =
       read_methods(arguments, profile == Profile::kQuality ? "refinement" : "function");
+  refuse_idle_options(arguments, request.methods);
   options.targets = read_targets(arguments);
   options.ratio = arguments.number("--ratio", options.ratio, more_than(1));
   options.angle_deg = arguments.number("--angle", options.angle_deg, between(0, 30));
@@ -283,6 +295,15 @@ void warn_of_drift(const SolverHierarchy& solver, Session& session) {
                "% of its area; --keep-boundary 0.02 keeps it within 2%");
 }
 
+// Of the levels that have too few nodes for the angles sought.
+void warn_of_angles(const Run& run, Session& session) {
+  const std::size_t needed = run.hierarchy.nodes_for_angles;
+  if (run.hierarchy.levels.back().mesh.points.size() >= needed) return;
+  session.note("levels of fewer than about " + std::to_string(needed) +
+               " nodes cannot keep angles of " + shortest(run.options.angle_deg) +
+               " degrees on this mesh: its special points ask for so many");
+}
+
 Result<Run> run_method(const TriangleMesh& mesh, const CoarsenRequest& request,
                        CoarseningMethod method, Session& session) {
   Run run;
@@ -301,6 +322,7 @@ Result<Run> run_method(const TriangleMesh& mesh, const CoarsenRequest& request,
   run.options.progress = {};
   if (!hierarchy) return hierarchy.error();
   run.hierarchy = std::move(*hierarchy);
+  warn_of_angles(run, session);
   run.statistics = measure(run.hierarchy, request.statistics);
   if (method == CoarseningMethod::kRefinement && request.statistics != Statistics::kNone)
     run.selection = check_selections(run.hierarchy, run.options.beta);

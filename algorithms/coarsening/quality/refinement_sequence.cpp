@@ -37,6 +37,8 @@ double squared_sine(double degrees) {
   return sine * sine;
 }
 
+std::size_t rounded_up(double x) { return static_cast<std::size_t>(std::ceil(x)); }
+
 std::size_t part_of(std::size_t nodes, double part) {
   return static_cast<std::size_t>(static_cast<double>(nodes) * part);
 }
@@ -58,8 +60,8 @@ class RefinementRun {
 
  private:
   bool tell(std::string_view phase);
-  Result<std::vector<std::size_t>> sizes();
-  Result<std::size_t> floor();
+  void find_nodes_for_angles(EditableLevel level);
+  std::vector<std::size_t> sizes() const;
   void even_out(std::span<const double> coarser, std::size_t coarser_nodes, std::size_t nodes,
                 std::vector<double>& spacing) const;
   void refine(EditableLevel& level, std::span<const double> spacing, std::size_t nodes);
@@ -70,6 +72,7 @@ class RefinementRun {
   const Skeleton& skeleton_;
   Level finest_;
   double least_sine_sq_;
+  std::size_t nodes_for_angles_ = 0;
   std::size_t done_ = 0;
   bool cancelled_ = false;
 };
@@ -79,30 +82,28 @@ bool RefinementRun::tell(std::string_view phase) {
   return !cancelled_;
 }
 
-// The nodes that the special points' polygons need for their angles alone.
-Result<std::size_t> RefinementRun::floor() {
-  auto level = EditableLevel::build(finest_.mesh, skeleton_, finest_.mesh.fixed);
-  if (!level) return level.error();
-  if (!level->has_triangles()) return finest_.mesh.points.size();
-  const std::vector<double> spacing(finest_.mesh.points.size(), 1);
-  Refinement refinement(skeleton_.graph, *level, {spacing, least_sine_sq_, options_.seed});
-  refinement.mend(finest_.mesh.points.size(), [&] { return tell("spacing"); });
-  return level->size();
+// A little more than what the special points' polygons need for their angles alone.
+void RefinementRun::find_nodes_for_angles(EditableLevel level) {
+  const std::size_t all = finest_.mesh.points.size();
+  const std::vector<double> spacing(all, 1);
+  Refinement refinement(skeleton_.graph, level, {spacing, least_sine_sq_, options_.seed});
+  refinement.mend(all, [&] { return tell("spacing"); });
+  nodes_for_angles_ = rounded_up(kFloorMargin * static_cast<double>(level.size()));
 }
 
 // The sizes of the levels, the coarsest first.
-Result<std::vector<std::size_t>> RefinementRun::sizes() {
+std::vector<std::size_t> RefinementRun::sizes() const {
   std::vector<std::size_t> sizes = options_.targets;
   if (sizes.empty()) {
-    const auto least = floor();
-    if (!least) return least.error();
-    const double stop = std::max(kFloorMargin * static_cast<double>(*least),
-                                 static_cast<double>(options_.until_nodes));
+    const auto stop = static_cast<double>(std::max(nodes_for_angles_, options_.until_nodes));
     double nodes = static_cast<double>(finest_.mesh.points.size()) / options_.ratio;
     for (; nodes >= stop; nodes /= options_.ratio) sizes.push_back(static_cast<std::size_t>(nodes));
   }
   std::ranges::sort(sizes, std::greater());
   sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  const auto small = [&](std::size_t size) { return size <= options_.until_nodes; };
+  const auto last = std::ranges::find_if(sizes, small);
+  if (last != sizes.end()) sizes.erase(last + 1, sizes.end());
   sizes.resize(std::min(sizes.size(), options_.max_levels));
   std::ranges::reverse(sizes);
   return sizes;
@@ -164,6 +165,7 @@ Result<Level> RefinementRun::finished(const EditableLevel& editable) const {
 Result<Hierarchy> RefinementRun::stacked(std::vector<Level> coarse_to_fine) {
   Hierarchy hierarchy;
   hierarchy.complete = !cancelled_;
+  hierarchy.nodes_for_angles = nodes_for_angles_;
   hierarchy.levels.push_back(std::move(finest_));
   while (!coarse_to_fine.empty()) {
     Level level = std::move(coarse_to_fine.back());
@@ -175,16 +177,17 @@ Result<Hierarchy> RefinementRun::stacked(std::vector<Level> coarse_to_fine) {
 }
 
 Result<Hierarchy> RefinementRun::run() {
-  const auto sizes = this->sizes();
-  if (!sizes) return sizes.error();
   std::vector<Level> levels;
   auto level = EditableLevel::build(finest_.mesh, skeleton_, finest_.mesh.fixed);
   if (!level) return level.error();
-  if (sizes->empty() || !level->has_triangles() || !tell("spacing")) return stacked({});
-  const LevelSizing sizing(finest_, skeleton_.graph, options_.beta, sizes->front());
+  if (!level->has_triangles()) return stacked({});
+  find_nodes_for_angles(*level);
+  const std::vector<std::size_t> sizes = this->sizes();
+  if (sizes.empty() || !tell("spacing")) return stacked({});
+  const LevelSizing sizing(finest_, skeleton_.graph, options_.beta, sizes.front());
   std::size_t step = 0;
   std::vector<double> spacing;
-  for (const std::size_t nodes : *sizes) {
+  for (const std::size_t nodes : sizes) {
     if (!tell("spacing")) break;
     const std::vector<double> coarser =
         std::exchange(spacing, sizing.spacing_for(sizing.factor_for(nodes)));

@@ -290,6 +290,62 @@ TEST(CoarsenCommand, KeepsAnglesAtSizesOfChoiceAndTheAuditPasses) {
         << targets;
 }
 
+TEST(CoarsenCommand, RefusesOptionsThatSayNothingToItsMethods) {
+  const TemporaryDirectory directory;
+  write_square(directory, 10);
+  const auto refuses = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"coarsen", directory / "square"});
+    const ProgramRun run = run_program(options);
+    return run.exit_code == 2 && contains(run.err, "--profile quality");
+  };
+  EXPECT_TRUE(refuses({"--profile", "quality", "--factor", "3"}));
+  EXPECT_TRUE(refuses({"--profile", "quality", "--protect", "0.1"}));
+  EXPECT_TRUE(refuses({"--method", "refinement", "--order", "priority"}));
+  EXPECT_TRUE(refuses({"--profile", "thesis", "--targets", "30"}));
+  EXPECT_TRUE(refuses({"--method", "mis,function", "--ratio", "2"}));
+  EXPECT_TRUE(refuses({"--profile", "multigrid", "--angle", "20"}));
+  EXPECT_EQ(run_program({"coarsen", directory / "square", "--method", "function,refinement",
+                         "--factor", "2", "--targets", "40"})
+                .exit_code,
+            0);
+}
+
+TEST(CoarsenCommand, SaysWhichSizesAreTooSmallForTheAngles) {
+  const TemporaryDirectory directory;
+  write_square(directory, 20);
+  const ProgramRun large = run_program({"coarsen", directory / "square", "--targets", "100"});
+  EXPECT_FALSE(contains(large.err, "cannot keep angles")) << large.err;
+  const ProgramRun small = run_program({"coarsen", directory / "square", "--targets", "100,5"});
+  EXPECT_EQ(small.exit_code, 0);
+  EXPECT_TRUE(contains(small.err, "nodes cannot keep angles of 22 degrees")) << small.err;
+  const ProgramRun until =
+      run_program({"coarsen", directory / "square", "--targets", "100,50,5", "--until", "60"});
+  EXPECT_FALSE(contains(until.err, "cannot keep angles")) << until.err;
+  EXPECT_TRUE(contains(until.out, "\n    2        50 ")) << until.out;
+}
+
+// Two special points a tenth of an edge apart ask for small elements far and wide; with the option
+// nodes stay near them.
+TEST(CoarsenCommand, SpacesNodesAsTheSpecialPointsNearbyAreSpaced) {
+  const TemporaryDirectory directory;
+  write_square(directory, 20);
+  directory.write("fixed", "0 20 420 440 220 221\n");
+  const auto coarsest_nodes = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"coarsen", directory / "square", "--beta", "4", "--factor", "3", "--fixed",
+                    directory / "fixed", "--levels", "2", "--json", directory / "out.json"});
+    EXPECT_EQ(run_program(options).exit_code, 0);
+    const std::string json = test::read_bytes(directory / "out.json");
+    const auto at = json.rfind("\"nodes\":");
+    return std::stoi(json.substr(at + 8));
+  };
+  EXPECT_GT(coarsest_nodes({"--special-lfs"}), coarsest_nodes({}));
+  const ProgramRun mis =
+      run_program({"coarsen", directory / "square", "--method", "mis", "--special-lfs"});
+  EXPECT_EQ(mis.exit_code, 2);
+  EXPECT_TRUE(contains(mis.err, "special points")) << mis.err;
+}
+
 TEST(CoarsenCommand, ReadsASpacing) {
   const TemporaryDirectory directory;
   write_square(directory, 4);
