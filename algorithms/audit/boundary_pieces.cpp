@@ -13,7 +13,8 @@
 namespace wellspaced::audit {
 namespace {
 
-constexpr double kStraight = 2;  // units in the last place
+constexpr double kStraight = 2;       // units in the last place
+constexpr double kGrazing = 0x1p-20;  // a way so near to the boundary, by its length, is along it
 
 // ---- A ray from x along the first axis, against one simplex
 
@@ -105,31 +106,41 @@ bool is_straight(std::span<const Vec<3>> places, std::array<Index, 2> common, In
                                                   [&](Point3 x) { return orient3d(a, b, c, x); });
 }
 
-double distance_to_edge(const Vec<3>& x, const Vec<3>& a, const Vec<3>& b) {
-  const Vec<3> along = difference(b, a);
+template <std::size_t D>
+PlaceOnBoundary<D> nearest_on_edge(const Vec<D>& x, const Vec<D>& a, const Vec<D>& b) {
+  const Vec<D> along = difference(b, a);
   const double length_sq = product(along, along);
   const double t = length_sq > 0 ? product(difference(x, a), along) / length_sq : 0;
-  return distance_of(x, step(a, std::clamp(t, 0.0, 1.0), along));
+  const Vec<D> place = step(a, std::clamp(t, 0.0, 1.0), along);
+  return {place, distance_of(x, place)};
 }
 
 }  // namespace
 
-double distance_to_simplex(const Vec<2>& x, const std::array<Vec<2>, 2>& segment) {
-  const Vec<2> along = difference(segment[1], segment[0]);
-  const double length_sq = product(along, along);
-  const double t = length_sq > 0 ? product(difference(x, segment[0]), along) / length_sq : 0;
-  return distance_of(x, step(segment[0], std::clamp(t, 0.0, 1.0), along));
+PlaceOnBoundary<2> nearest_place(const Vec<2>& x, const std::array<Vec<2>, 2>& segment) {
+  return nearest_on_edge(x, segment[0], segment[1]);
 }
 
-double distance_to_simplex(const Vec<3>& x, const std::array<Vec<3>, 3>& t) {
+PlaceOnBoundary<3> nearest_place(const Vec<3>& x, const std::array<Vec<3>, 3>& t) {
   const Vec<3> u = difference(t[1], t[0]), v = difference(t[2], t[0]), w = difference(x, t[0]);
   const Vec<3> n = cross_product(u, v);
   const double nn = product(n, n);
   const double at_u = product(cross_product(w, v), n), at_v = product(cross_product(u, w), n);
   if (nn > 0 && at_u >= 0 && at_v >= 0 && at_u + at_v <= nn)
-    return std::fabs(product(w, n)) / std::sqrt(nn);
-  return std::min({distance_to_edge(x, t[0], t[1]), distance_to_edge(x, t[1], t[2]),
-                   distance_to_edge(x, t[2], t[0])});
+    return {step(x, -product(w, n) / nn, n), std::fabs(product(w, n)) / std::sqrt(nn)};
+  return std::min({nearest_on_edge(x, t[0], t[1]), nearest_on_edge(x, t[1], t[2]),
+                   nearest_on_edge(x, t[2], t[0])},
+                  [](const auto& a, const auto& b) { return a.distance < b.distance; });
+}
+
+Vec<2> unit_normal(const std::array<Vec<2>, 2>& segment) {
+  const Vec<2> along = difference(segment[1], segment[0]);
+  return step(Vec<2>{}, 1 / norm(along), {-along[1], along[0]});
+}
+
+Vec<3> unit_normal(const std::array<Vec<3>, 3>& t) {
+  const Vec<3> n = cross_product(difference(t[1], t[0]), difference(t[2], t[0]));
+  return step(Vec<3>{}, 1 / norm(n), n);
 }
 
 template <std::size_t D>
@@ -153,6 +164,16 @@ std::array<Vec<D>, D> BoundaryPieces<D>::corners(Index s) const {
   std::array<Vec<D>, D> result;
   for (std::size_t i = 0; i < D; ++i) result[i] = places_[simplices_[s].nodes[i]];
   return result;
+}
+
+template <std::size_t D>
+std::optional<Vec<D>> BoundaryPieces<D>::inward_normal(Index s) const {
+  if (!simplices_[s].closed) return std::nullopt;
+  const Vec<D> normal = unit_normal(corners(s));
+  const Vec<D> inwards = difference(places_[simplices_[s].inner], places_[nodes(s)[0]]);
+  const double side = product(normal, inwards);
+  if (!(std::fabs(side) > 0x1p-40 * norm(inwards))) return std::nullopt;
+  return step(Vec<D>{}, side < 0 ? -1 : 1, normal);
 }
 
 template <std::size_t D>
@@ -237,17 +258,22 @@ bool BoundaryPieces<D>::comes_near(const Vec<D>& x, double distance) const {
   bool near = false;
   tree_.search([&](const auto& box) { return touch(box, around); },
                [&](Index s) {
-                 near = distance_to_simplex(x, corners(s)) <= distance;
+                 near = nearest_place(x, corners(s)).distance <= distance;
                  return !near;
                });
   return near;
 }
 
 template <std::size_t D>
-typename BoundaryPieces<D>::Nearest BoundaryPieces<D>::nearest_elsewhere(Index v,
-                                                                         double bound) const {
+bool BoundaryPieces<D>::starts_inside(const Vec<D>& x, const PlaceOnBoundary<D>& place) const {
+  const Vec<D> middle = step(x, 0.5, difference(place.place, x));
+  return contains(middle) || comes_near(middle, place.distance * kGrazing);
+}
+
+template <std::size_t D>
+PlaceOnBoundary<D> BoundaryPieces<D>::nearest_elsewhere(Index v, double bound) const {
   const Vec<D>& x = places_[v];
-  Nearest nearest{kNoIndex, bound};
+  PlaceOnBoundary<D> nearest{x, bound};
   tree_.search(
       [&](const Box<static_cast<int>(D)>& box) {
         for (std::size_t i = 0; i < D; ++i)
@@ -256,8 +282,9 @@ typename BoundaryPieces<D>::Nearest BoundaryPieces<D>::nearest_elsewhere(Index v
         return true;
       },
       [&](Index s) {
-        const double distance = distance_to_simplex(x, corners(s));
-        if (distance < nearest.distance && !lies_on(v, piece_[s])) nearest = {s, distance};
+        const auto found = nearest_place(x, corners(s));
+        if (found.distance < nearest.distance && !lies_on(v, piece_[s]) && starts_inside(x, found))
+          nearest = found;
         return true;
       });
   return nearest;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "wellspaced/algorithms/audit/circumcentre.hpp"
 #include "wellspaced/algorithms/audit/shape_tools.hpp"
@@ -70,18 +71,52 @@ bool may_be_inside(const BoundaryPieces<D>& boundary, const Candidate<D>& candid
          boundary.comes_near(candidate.centre, candidate.error);
 }
 
-// The gaps around a point of the domain: towards the points that make them small or close.
+// The gap of radius r around a point of the domain, towards a place, or as far on the way there as
+// can be seen.
+template <std::size_t D>
+void offer_gap_in_sight(const SpacedPoints<D>& points, const Vec<D>& c, double r,
+                        const Vec<D>& towards, GapBracket<D>& bracket) {
+  constexpr int kHalvings = 20;
+  const Vec<D> way = difference(towards, c);
+  const double length = norm(way);
+  if (!(length > 0)) return;
+  const auto is_clear = [&](double part) {
+    return points.boundary.leaves_clear(c, step(c, part, way));
+  };
+  double seen = kDown * std::min(1.0, r / length);
+  if (!is_clear(seen)) {
+    double hidden = std::exchange(seen, 0);
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (seen + hidden) / 2;
+      (is_clear(middle) ? seen : hidden) = middle;
+    }
+  }
+  offer_gap(points.spacing, c, r, step(c, seen, way), bracket);
+}
+
+// Those around a point of the domain: towards the points that make them small or close.
 template <std::size_t D>
 void offer_gaps_around(const SpacedPoints<D>& points, const Vec<D>& c, double r,
                        GapBracket<D>& bracket) {
-  const auto offer = [&](Index q) {
-    const Vec<D>& towards = points.places[q];
-    const Vec<D> seen =
-        step(c, kDown * std::min(1.0, r / distance_of(towards, c)), difference(towards, c));
-    if (points.boundary.leaves_clear(c, seen)) offer_gap(points.spacing, c, r, towards, bracket);
-  };
-  offer(points.spacing.at(c).node);
-  offer(points.spacing.nearest(c).node);
+  for (const Index q : {points.spacing.at(c).node, points.spacing.nearest(c).node})
+    offer_gap_in_sight(points, c, r, points.places[q], bracket);
+}
+
+// Those around a point of the boundary simplex s, their centres a little way inside; along s if
+// the points lie behind it.
+template <std::size_t D>
+void offer_gaps_inwards(const SpacedPoints<D>& points, Index s, const Vec<D>& c, double r,
+                        GapBracket<D>& bracket) {
+  constexpr double kLittle = 0x1p-20;
+  const auto inwards = points.boundary.inward_normal(s);
+  if (!inwards) return;
+  const Vec<D> inside = step(c, kLittle * r, *inwards);
+  if (!points.boundary.contains(inside)) return;
+  for (const Index q : {points.spacing.at(c).node, points.spacing.nearest(c).node}) {
+    const double height = product(*inwards, difference(points.places[q], inside));
+    const Vec<D> towards = step(points.places[q], std::max(0.0, -height), *inwards);
+    offer_gap_in_sight(points, inside, r * (1 - 2 * kLittle), towards, bracket);
+  }
 }
 
 // The largest upper bound is that of the first vertex inside; the lower ones of further vertices
@@ -125,8 +160,9 @@ std::array<SearchCell<D, K>, 2> halves(const SearchCell<D, K>& cell) {
   return result;
 }
 
-// Looks for the largest gap that belongs to a place on one of the simplices. judge(simplex, place,
-// e, bracket) offers gaps there and returns what no gap within e of the place can exceed.
+// Looks for the largest gap that belongs to a place on one of the simplices. judge(cell, place, e,
+// bracket) offers gaps there and returns what no gap that belongs to the cell, all of which lies
+// within e of the place, can exceed.
 template <std::size_t D, std::size_t K, class Judge>
 void search_gaps(std::span<const std::array<Vec<D>, K>> simplices, double tolerance, Judge judge,
                  GapBracket<D>& bracket) {
@@ -138,7 +174,7 @@ void search_gaps(std::span<const std::array<Vec<D>, K>> simplices, double tolera
     for (const auto& corner : cell.corners) centre = step(centre, 1.0 / K, corner);
     double e = 0;
     for (const auto& corner : cell.corners) e = std::max(e, distance_of(centre, corner));
-    cell.upper = judge(cell.of, centre, e, bracket);
+    cell.upper = judge(cell, centre, e, bracket);
     if (cell.upper <= bracket.lower) return;
     heap.push_back(cell);
     std::push_heap(heap.begin(), heap.end(), below);
@@ -156,19 +192,78 @@ void search_gaps(std::span<const std::array<Vec<D>, K>> simplices, double tolera
   bracket.upper = std::max(bracket.upper, bracket.lower);
 }
 
-// Judges centres by how large an empty ball around them is: radius_at(simplex, centre),
-// 1-Lipschitz. Gaps are offered towards the corners of the simplex, which hides none of itself.
-template <std::size_t D, class RadiusAt>
-void search_centres(const SpacedPoints<D>& points, RadiusAt radius_at, GapBracket<D>& bracket) {
+// The largest parameter of gaps around the places of a cell, if no more than two points are nearest
+// to any of them, else infinite. The cell is then one polygon, or two, in Voronoi cells, so that
+// the largest is that of a corner: see interior_gap().
+template <std::size_t D>
+class CellGaps {
+ public:
+  CellGaps(const SpacedPoints<D>& points, const std::array<Vec<D>, D>& corners)
+      : points_(points), corners_(corners) {}
+
+  double largest() {
+    std::array<Index, D> owner;
+    for (std::size_t i = 0; i < D; ++i) {
+      const auto nearest = points_.spacing.nearest(corners_[i]);
+      owner[i] = nearest.node;
+      for (std::size_t j = 0; j < i; ++j)
+        if (is_nearest(owner[j], corners_[i], nearest.value)) owner[i] = owner[j];
+      judge(corners_[i], nearest.value);
+    }
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (owner[i] != owner[j] && !judge_wall(corners_[j], corners_[i], owner[j], owner[i]))
+          return kInfinity;
+    return D == 3 && owner[2] != owner[0] && owner[2] != owner[1] && owner[0] != owner[1]
+               ? kInfinity
+               : largest_;
+  }
+
+ private:
+  bool is_nearest(Index p, const Vec<D>& c, double distance) const {
+    return distance_of(points_.places[p], c) <= distance * kUp;
+  }
+
+  void judge(const Vec<D>& c, double r) {
+    const double rounding = 0x1p-40 * r + 0x1p-50 * norm(c);
+    largest_ = std::max(largest_, largest_parameter(points_.spacing, c, r, rounding));
+  }
+
+  // Where the way from a to b leaves the Voronoi cell of p for that of q, if there is none between.
+  bool judge_wall(const Vec<D>& a, const Vec<D>& b, Index p, Index q) {
+    const auto excess = [&](const Vec<D>& c) {
+      const Vec<D> to_p = difference(points_.places[p], c), to_q = difference(points_.places[q], c);
+      return product(to_p, to_p) - product(to_q, to_q);
+    };
+    const double at_a = excess(a), at_b = excess(b);
+    if (!(at_a <= 0 && at_b >= 0 && at_a < at_b)) return false;
+    const Vec<D> wall = step(a, at_a / (at_a - at_b), difference(b, a));
+    const double r = points_.spacing.nearest(wall).value;
+    judge(wall, r);
+    return is_nearest(p, wall, r) && is_nearest(q, wall, r);
+  }
+
+  const SpacedPoints<D>& points_;
+  const std::array<Vec<D>, D>& corners_;
+  double largest_ = 0;
+};
+
+// Gaps with their centres on the boundary: towards the corners of the simplex, which hides none of
+// itself, and towards the points.
+template <std::size_t D>
+void search_boundary(const SpacedPoints<D>& points, GapBracket<D>& bracket) {
   std::vector<std::array<Vec<D>, D>> simplices;
   for (Index s = 0; s < points.boundary.size(); ++s)
     simplices.push_back(points.boundary.corners(s));
-  const auto judge = [&](Index s, const Vec<D>& centre, double e, GapBracket<D>& found) {
-    const double r = radius_at(s, centre);
+  const auto judge = [&](const SearchCell<D, D>& cell, const Vec<D>& centre, double e,
+                         GapBracket<D>& found) {
+    const double r = points.spacing.nearest(centre).value;
     const double upper = largest_parameter(points.spacing, centre, r, e);
-    if (upper > found.lower)
-      for (const auto& corner : simplices[s]) offer_gap(points.spacing, centre, r, corner, found);
-    return upper;
+    if (upper <= found.lower) return upper;
+    for (const auto& corner : simplices[cell.of])
+      offer_gap(points.spacing, centre, r, corner, found);
+    offer_gaps_inwards(points, cell.of, centre, r, found);
+    return std::min(upper, CellGaps<D>(points, cell.corners).largest());
   };
   search_gaps<D, D>(simplices, points.tolerance, judge, bracket);
 }
@@ -356,8 +451,9 @@ double longest_side(const std::array<Vec<3>, 3>& t) {
 void search_triangles(const SpacedPoints<3>& points,
                       const std::vector<std::array<Vec<3>, 3>>& triangles, GapBracket<3>& bracket) {
   constexpr double kRoundingPart = 0x1p-40;
-  const auto judge = [&](Index s, const Vec<3>& x, double e, GapBracket<3>& found) {
-    const std::array<Vec<3>, 3>& t = triangles[s];
+  const auto judge = [&](const SearchCell<3, 3>& cell, const Vec<3>& x, double e,
+                         GapBracket<3>& found) {
+    const std::array<Vec<3>, 3>& t = triangles[cell.of];
     const double longest = longest_side(t), f = points.spacing.at(x).value;
     const double slack = 2 * longest * (e + kRoundingPart * longest);
     const double reach = distance_of(farthest_centre(t, x, slack), x) + e + kRoundingPart * longest;
@@ -368,11 +464,6 @@ void search_triangles(const SpacedPoints<3>& points,
     return upper;
   };
   search_gaps<3, 3>(triangles, points.tolerance, judge, bracket);
-}
-
-Vec<3> unit_normal(const std::array<Vec<3>, 3>& t) {
-  const Vec<3> n = cross_product(difference(t[1], t[0]), difference(t[2], t[0]));
-  return step(Vec<3>{}, 1 / norm(n), n);
 }
 
 std::vector<Index> sizes_of_pieces(const BoundaryPieces<3>& boundary) {
@@ -386,8 +477,7 @@ std::vector<Index> sizes_of_pieces(const BoundaryPieces<3>& boundary) {
 template <std::size_t D>
 GapBracket<D> interior_gap(const SpacedPoints<D>& points) {
   GapBracket<D> bracket = gap_at_vertices(points);
-  search_centres(
-      points, [&](Index, const Vec<D>& c) { return points.spacing.nearest(c).value; }, bracket);
+  search_boundary(points, bracket);
   return bracket;
 }
 
@@ -403,7 +493,9 @@ GapBracket<3> face_gap(const SpacedPoints<3>& points) {
     if (!is_lone) number.push_back(s);
   }
   search_triangles(points, lone, bracket);
-  const auto judge = [&](Index s, const Vec<3>& c, double e, GapBracket<3>& found) {
+  const auto judge = [&](const SearchCell<3, 3>& cell, const Vec<3>& c, double e,
+                         GapBracket<3>& found) {
+    const Index s = cell.of;
     const Vec<3> normal = unit_normal(faces[s]);
     const double r = on_pieces.distance(number[s], c);
     const PlanarGap limit = PlanarGaps(c, normal, r, e).largest(points, found.lower / kUp);
@@ -428,8 +520,9 @@ GapBracket<D> segment_gap(const SpacedPoints<D>& points,
   GapBracket<D> bracket;
   std::vector<std::array<Vec<D>, 2>> segments;
   for (const auto& [a, b] : edges) segments.push_back({points.places[a], points.places[b]});
-  const auto judge = [&](Index s, const Vec<D>& x, double e, GapBracket<D>& found) {
-    const auto& [a, b] = segments[s];
+  const auto judge = [&](const SearchCell<D, 2>& cell, const Vec<D>& x, double e,
+                         GapBracket<D>& found) {
+    const auto& [a, b] = segments[cell.of];
     const Vec<D>& end = distance_of(x, a) > distance_of(x, b) ? a : b;
     const double diameter = distance_of(x, end), f = points.spacing.at(x).value;
     const double parameter = diameter / 2 * kDown / f;

@@ -46,7 +46,11 @@ struct SpacedPoints {
 /// largest at ends of lines: at Voronoi vertices in the domain, or on its boundary. The vertices
 /// are circumcentres of Delaunay simplices, looked at one by one, with bounds on how far rounding
 /// has moved them. The boundary is searched by halving it: in a ball of radius e around c,
-/// G <= (d + e) / min f over the ball of radius d + 2e.
+/// G <= (d + e) / min f over the ball of radius d + 2e; and in a part of it that one or two Voronoi
+/// cells cover, G is largest at corners of their shares of it.
+/// G counts x that are hidden, for a centre close by may see them. So the upper end is too high
+/// where f is small because of points that the domain hides from its largest gaps, as across
+/// narrow fjords of a coast.
 /// Cost: O(n log n) and the search of the boundary.
 template <std::size_t D>
 GapBracket<D> interior_gap(const SpacedPoints<D>& points);

@@ -17,6 +17,7 @@
 #include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/algorithms/audit/shape_tools.hpp"
 #include "wellspaced/algorithms/audit/spacing_tree.hpp"
+#include "wellspaced/algorithms/audit/theorems.hpp"
 #include "wellspaced/algorithms/audit/well_spaced.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 
@@ -214,6 +215,19 @@ bool has_spacing(const Judged& coarse, const HierarchyAuditOptions& options) {
                      [](double f) { return f > 0 && std::isfinite(f); });
 }
 
+// In the metric of the graph that the nodes were selected from, along all of its paths.
+void audit_graph_lipschitz(Report& report, const TriangleMesh& mesh, const SelectedNodes& selected,
+                           std::span<const Index> level_nodes) {
+  constexpr double kSlack = 1 + 0x1p-40;
+  std::vector<double> values(mesh.points.size(), kInfinity);
+  for (std::size_t i = 0; i < selected.nodes.size(); ++i)
+    values[selected.nodes[i]] = selected.spacing[i];
+  const std::vector<double> least = coarsened_in_graph(mesh, values, 1);
+  Check& check = report.add_check("graph_lipschitz", Item::kNode, false);
+  for (std::size_t i = 0; i < selected.nodes.size(); ++i)
+    if (least[selected.nodes[i]] * kSlack < selected.spacing[i]) check.violate({level_nodes[i]});
+}
+
 void audit_level_spacing(Judged& coarse, const Judged& selected_from,
                          const HierarchyAuditOptions& options) {
   if (!has_spacing(coarse, options)) return;
@@ -230,11 +244,11 @@ void audit_level_spacing(Judged& coarse, const Judged& selected_from,
     spacing.push_back(coarse.level.spacing[v]);
     exempt.push_back(fixed.count(coarse.origins[v]) > 0);
   }
+  const SelectedNodes selected{nodes, spacing, options.beta, exempt};
   Check& graph = coarse.report.add_check("graph_spacing", Item::kEdge, false);
   graph.value = options.beta;
-  add_pairs(graph,
-            graph_spacing_violations(selected_from.mesh(), {nodes, spacing, options.beta, exempt}),
-            level_nodes);
+  add_pairs(graph, graph_spacing_violations(selected_from.mesh(), selected), level_nodes);
+  audit_graph_lipschitz(coarse.report, selected_from.mesh(), selected, level_nodes);
   Check& euclidean = coarse.report.add_check("euclidean_spacing", Item::kEdge, false);
   euclidean.value = options.beta;
   for (const auto& [v, w] :
@@ -329,8 +343,10 @@ void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
   audit_intersections(coarse, finer);
   const bool from_finest = options.selected_from == SelectedFrom::kFinest;
   audit_level_spacing(coarse, from_finest ? finest : finer, options);
-  if (options.well_spacing == WellSpacing::kMeasured && has_spacing(coarse, options))
+  if (options.well_spacing == WellSpacing::kMeasured && has_spacing(coarse, options)) {
     audit_spacing(coarse.mesh(), {coarse.level.spacing, options.beta}, coarse.report);
+    compare_with_theorems(coarse.mesh(), SpacingKind::kGiven, coarse.report);
+  }
   // From the values of level 0 the first level takes the factor C beta.
   const double factor = options.factor * (&finer == &finest ? options.beta : 1);
   if (factor > 0 && !from_finest && has_spacing(coarse, options) && has_spacing(finer, options))
@@ -368,6 +384,10 @@ void append_level(Report& report, Report&& level, Index number) {
   for (Theorem& theorem : level.theorems) {
     theorem.level = number;
     report.theorems.push_back(std::move(theorem));
+  }
+  for (Witness& witness : level.witnesses) {
+    witness.level = number;
+    report.witnesses.push_back(std::move(witness));
   }
 }
 

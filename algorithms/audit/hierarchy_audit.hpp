@@ -23,7 +23,8 @@ struct HierarchyLevel {
 /// The mesh that a level's nodes were selected from, in whose graph metric they are spaced.
 enum class SelectedFrom { kLevelBefore, kFinest };
 
-/// Whether audit_spacing() judges the levels from 1 on that have a spacing function, too.
+/// Whether audit_spacing() judges the levels from 1 on that have a spacing function, too, and what
+/// it finds is compared with the theorems.
 enum class WellSpacing { kLeftOut, kMeasured };
 
 /// Whether a hierarchy claims that every level is made of nodes of the one before. Levels that are
@@ -64,8 +65,8 @@ struct HierarchyAuditOptions {
 ///   markers_kept           every segment marker of the level before is alive (violations: lost)
 ///   fixed_nodes_kept       every special point is there (node: of the finest mesh)
 ///   graph_spacing          the nodes are beta-spaced in the graph metric of the mesh selected
-///   from;
-///                          pairs of special points are exempt (edge: two nodes of the level)
+///                          from; pairs of special points are exempt (edge: two nodes of the level)
+///   graph_lipschitz        their values are 1-Lipschitz in that metric (node: of the level)
 ///   euclidean_spacing      the edges of the level are no shorter than beta-spacing asks (edge)
 /// Measures of each level: those of audit_mesh; from level 1 on also size_ratio (nodes of the level
 ///   before by nodes), area_kept and perimeter_kept (by those of the finest), hausdorff and
@@ -76,8 +77,11 @@ struct HierarchyAuditOptions {
 ///   intersection_max over all levels. If the factor is known, spacing_to_coarsened_min and _max:
 ///   the level's values by what the values of the level before become in its graph metric; 1 and 1
 ///   for the coarsening function itself, less where it was bounded otherwise.
+/// Where well-spacing is measured, what audit_spacing() finds about the levels from 1 on, with its
+/// witnesses, in the Euclidean metric.
 /// Theorems, for each pair of levels: 5.1.7, local similarity bounds the intersections; 7.1.4, the
-///   graph metric changes coarsening functions by at most the dilation.
+///   graph metric changes coarsening functions by at most the dilation. For each level whose
+///   well-spacing is measured those of compare_with_theorems().
 /// Cost: that of audit_mesh on all levels, of count_intersections and of graph_spacing_violations.
 /// See: Definitions 5.1.1 to 5.1.8; ERRATA "For the auditor".
 Report audit_hierarchy(std::span<const HierarchyLevel> levels,

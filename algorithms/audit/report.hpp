@@ -84,6 +84,7 @@ struct Worst {
 struct Witness {
   std::string name;
   std::vector<double> centre, at;
+  std::optional<Index> level;  ///< as that of a check
 };
 
 /// An inequality of the thesis, left <= right if it holds, on the instance. If a hypothesis is

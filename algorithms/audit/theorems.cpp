@@ -70,46 +70,45 @@ void compare_spacing(TheoremList& list, SpacingKind kind) {
                1 / list.measure("spacing_to_nn_min"), d * (2 + d));
 }
 
+// What a gap is at most by f where all spheres are empty, K as in the header.
+double bound_on_gaps(double corners, double k) { return 2 * (1 - 1 / corners) * k * k + 0.5; }
+
+void suppose_empty_spheres(TheoremList& list, SpacingKind kind) {
+  list.suppose();
+  list.suppose(kind == SpacingKind::kNearestNeighbour, "the spacing function is NN");
+  list.suppose(list.passes("spheres_empty"),
+               "no node lies inside the circle or sphere of an element");
+}
+
 // ---- The plane
 
-// The largest 1/sin of the smallest angle: twice the radius-edge ratio.
+// The largest 1/sin of the smallest angle, twice the radius-edge ratio: of all triangles, and of
+// those with an empty circle, if they see its centre and if not.
 struct WorstAngles {
-  double seeing = 0, blind = 0;  // of triangles that see their circumcentre, and of the others
+  double any = 0, seeing = 0, blind = 0;
 };
 
+std::vector<std::uint8_t> marks_of(std::size_t count, const Check* check) {
+  std::vector<std::uint8_t> marks(count, 0);
+  if (check != nullptr)
+    for (const Index id : check->ids) marks[id] = 1;
+  return marks;
+}
+
 WorstAngles worst_angles(const TriangleMesh& mesh, const Report& report) {
-  std::vector<std::uint8_t> is_blind(mesh.triangles.size(), 0);
-  if (const Check* check = report.check("circumcentres_inside"))
-    for (const Index t : check->ids) is_blind[t] = 1;
+  const auto is_blind = marks_of(mesh.triangles.size(), report.check("circumcentres_inside"));
+  const auto is_full = marks_of(mesh.triangles.size(), report.check("spheres_empty"));
   WorstAngles worst;
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const double ratio =
         2 * triangle_shape(mesh.points[a], mesh.points[b], mesh.points[c]).radius_edge;
+    worst.any = std::max(worst.any, ratio);
+    if (is_full[t] != 0) continue;
     double& kept = is_blind[t] != 0 ? worst.blind : worst.seeing;
     kept = std::max(kept, ratio);
   }
   return worst;
-}
-
-// The largest el / NN at a node; the nearest node is the end of its shortest edge.
-double largest_edge_ratio(const TriangleMesh& mesh) {
-  std::vector<double> longest(mesh.points.size(), 0), shortest(mesh.points.size(), kInfinity);
-  for (const auto& t : mesh.triangles) {
-    double el = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index a = t[i], b = t[(i + 1) % 3];
-      const double length =
-          distance_of(coordinates_of(mesh.points[a]), coordinates_of(mesh.points[b]));
-      el = std::max(el, length);
-      for (const Index v : {a, b}) shortest[v] = std::min(shortest[v], length);
-    }
-    for (const Index v : t) longest[v] = std::max(longest[v], el);
-  }
-  double largest = 1;
-  for (std::size_t v = 0; v < longest.size(); ++v)
-    largest = std::max(largest, longest[v] / shortest[v]);
-  return largest;
 }
 
 // rho of the corrected Theorem 2.5.1(2). The boundary gap is an interval: a segment's end is at
@@ -213,13 +212,11 @@ void compare_with_theorems(const TriangleMesh& mesh, SpacingKind kind, Report& r
   const double b = list.measure("boundary_distance"), beta = list.measure("beta");
   list.suppose();
   list.suppose(kind == SpacingKind::kNearestNeighbour, "the spacing function is NN");
-  const double cosecant = std::max(worst.seeing, worst.blind), square = cosecant * cosecant;
-  list.compare("2.4.6", "sin(theta) <= b", 1 / cosecant, b);
-  list.suppose(list.passes("constrained_delaunay"), "the mesh is constrained Delaunay");
-  list.compare("2.4.1", "log2 L <= (2 + 12 / sin^4(theta)) log2(1/sin(theta)) + log2 max(el / NN)",
-               binary_logarithm(list.measure("gap")),
-               (2 + 12 * square * square) * binary_logarithm(cosecant) +
-                   binary_logarithm(largest_edge_ratio(mesh)));
+  list.compare("2.4.6", "sin(theta) <= b", 1 / worst.any, b);
+  suppose_empty_spheres(list, kind);
+  const double k = list.measure("density_graph_constant") * (1 + 3 * worst.any);
+  list.compare("2.4.1", "L <= 4/3 C^2 (1 + 3/sin(theta))^2 + 1/2", list.measure("gap"),
+               bound_on_gaps(3, k));
   suppose_well_spaced(list);
   list.suppose(list.passes("constrained_delaunay"), "the mesh is constrained Delaunay");
   const double interior = list.measure("gap_interior_upper");
@@ -233,21 +230,24 @@ void compare_with_theorems(const TetMesh& mesh, SpacingKind kind, Report& report
   TheoremList list(report);
   compare_spacing(list, kind);
   const NodeFigures figures = node_figures(mesh);
-  const double rho = list.measure("radius_edge"), c = figures.density;
+  const double rho = list.measure("radius_edge"), c = list.measure("density_graph_constant");
   list.suppose();
   list.suppose(list.passes("delaunay"), "the mesh is Delaunay");
   list.compare("3.4.3", "E / e <= 2 rho", list.measure("edge_ratio"), 2 * rho);
-  list.compare("3.4.4", "log2(E / NN) <= (2 C3 - 1) log2 C2", binary_logarithm(c),
+  list.compare("3.4.4", "log2(E / e) <= (2 C3 - 1) log2 C2", binary_logarithm(figures.density),
                log2_of_density_bound(rho));
   list.compare("3.4.5", "degree <= (2 C^2 + 1)^3", figures.degree,
                (2 * c * c + 1) * (2 * c * c + 1) * (2 * c * c + 1));
   list.compare("3.5.1", "R / NN <= rho C", figures.radius_to_nn, rho * c);
   list.compare("3.5.2 lower", "NN / R <= 2", figures.nn_to_radius, 2);
   list.compare("3.5.2 upper", "R / NN <= 1 + rho C", figures.radius_to_nn, 1 + rho * c);
-  list.suppose(kind == SpacingKind::kNearestNeighbour, "the spacing function is NN");
-  list.suppose(list.passes("circumcentres_inside"), "the circumcentres lie in the domain");
-  list.compare("3.6.2", "L <= 130 rho^2 C^2 for interior gaps", list.measure("gap_interior_upper"),
-               130 * rho * rho * c * c);
+  suppose_empty_spheres(list, kind);
+  list.compare("3.6.2(1)", "L <= C (1 + 4 rho) / 2 on segments", list.measure("gap_segment_upper"),
+               c * (1 + 4 * rho) / 2);
+  list.compare("3.6.2(2)", "L <= 4/3 C^2 (1 + 6 rho)^2 + 1/2 on faces",
+               list.measure("gap_face_upper"), bound_on_gaps(3, c * (1 + 6 * rho)));
+  list.compare("3.6.2(3)", "L <= 3/2 C^2 (1 + 8 rho)^2 + 1/2 inside",
+               list.measure("gap_interior_upper"), bound_on_gaps(4, c * (1 + 8 * rho)));
   compare_packing(list, report, kind);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "wellspaced/algorithms/audit/circumcentre.hpp"
 #include "wellspaced/algorithms/audit/domain.hpp"
 #include "wellspaced/algorithms/audit/gaps.hpp"
 #include "wellspaced/algorithms/audit/half_edges.hpp"
@@ -84,7 +85,8 @@ std::vector<BoundarySimplex<2>> boundary_of(const TriangleMesh& mesh, const Plac
     if (inner && (half_edges.constrained[h] == 0 || twin < h)) continue;
     simplices.push_back(
         {{places.place_of[origin(mesh.triangles, h)], places.place_of[target(mesh.triangles, h)]},
-         !inner});
+         !inner,
+         places.place_of[apex(mesh.triangles, h)]});
   }
   return united(std::move(simplices));
 }
@@ -99,7 +101,7 @@ std::vector<BoundarySimplex<3>> boundary_of(const TetMesh& mesh, const Places<3>
     if (inner && (faces.constrained[f] == 0 || twin < f)) continue;
     Face nodes = face_nodes(mesh.tets, f);
     for (Index& v : nodes) v = places.place_of[v];
-    simplices.push_back({nodes, !inner});
+    simplices.push_back({nodes, !inner, places.place_of[face_apex(mesh.tets, f)]});
   }
   return united(std::move(simplices));
 }
@@ -235,7 +237,9 @@ class SpacingAudit {
     const SpacingTree<D> spacing(places_.at, values_);
     const bool lipschitz = audit_lipschitz(spacing);
     audit_beta(spacing);
+    audit_spheres(spacing);
     measure_ratios();
+    measure_density();
     measure_integral(spacing);
     const BoundaryPieces<D> boundary(places_.at, boundary_of(mesh_, places_));
     measure_boundary_distance(boundary);
@@ -311,16 +315,42 @@ class SpacingAudit {
     report_.add_measure("spacing_to_nn_max", largest);
   }
 
+  void measure_density() {
+    double largest = 0;
+    for (const auto& element : cells_of(mesh_))
+      for (const Index v : element)
+        for (const Index w : element) {
+          const Index p = places_.place_of[v], q = places_.place_of[w];
+          largest = std::max(largest, distance_of(places_.at[p], places_.at[q]) / nearest_[p]);
+        }
+    report_.add_measure("density_graph_constant", largest);
+  }
+
+  std::array<Vec<D>, D + 1> corners_of(const std::array<Index, D + 1>& element) const {
+    std::array<Vec<D>, D + 1> corners;
+    for (std::size_t i = 0; i <= D; ++i) corners[i] = places_.at[places_.place_of[element[i]]];
+    return corners;
+  }
+
+  // Flat elements, of which no centre is known, are not judged.
+  void audit_spheres(const SpacingTree<D>& spacing) {
+    Check& check = report_.add_check("spheres_empty", D == 2 ? Item::kTriangle : Item::kTet, false);
+    for (Index e = 0; e < cells_of(mesh_).size(); ++e) {
+      const auto corners = corners_of(cells_of(mesh_)[e]);
+      const auto [centre, error] = circumcentre<D>(corners);
+      double radius = kInfinity;
+      for (const auto& corner : corners) radius = std::min(radius, distance_of(centre, corner));
+      if (spacing.nearest(centre).value * kRounding < radius - 2 * error) check.violate({e});
+    }
+  }
+
   // By the midpoint rule: one place an element.
   void measure_integral(const SpacingTree<D>& spacing) {
     double integral = 0;
     for (const auto& element : cells_of(mesh_)) {
-      std::array<Vec<D>, D + 1> corners;
+      const auto corners = corners_of(element);
       Vec<D> centre{};
-      for (std::size_t i = 0; i <= D; ++i) {
-        corners[i] = places_.at[places_.place_of[element[i]]];
-        centre = step(centre, 1.0 / (D + 1), corners[i]);
-      }
+      for (const auto& corner : corners) centre = step(centre, 1.0 / (D + 1), corner);
       const double f = spacing.at(centre).value;
       integral += volume_of(corners) / (D == 2 ? f * f : f * f * f);
     }
@@ -330,15 +360,16 @@ class SpacingAudit {
   void measure_boundary_distance(const BoundaryPieces<D>& boundary) {
     double least = kInfinity;
     Index node = kNoIndex;
+    Vec<D> place{};
     for (Index p = 0; p < values_.size(); ++p) {
       const double bound = std::isfinite(least) ? least * values_[p] : 0x1p200;
       const auto found = boundary.nearest_elsewhere(p, bound);
-      if (found.simplex == kNoIndex || found.distance >= least * values_[p]) continue;
-      least = found.distance / values_[p], node = p;
+      if (found.distance >= bound) continue;
+      least = found.distance / values_[p], node = p, place = found.place;
     }
     if (node == kNoIndex) return;
     report_.add_measure("boundary_distance", least);
-    add_witness("boundary_distance", places_.at[node], places_.at[node]);
+    add_witness("boundary_distance", places_.at[node], place);
   }
 
   // Returns the largest upper end of all brackets.

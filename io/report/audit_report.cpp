@@ -50,18 +50,6 @@ Index level_count(const audit::Report& report) {
   return count;
 }
 
-void append_levels(JsonWriter& json, const audit::Report& report) {
-  const Index count = level_count(report);
-  if (count == 0) return;
-  json.key("levels").begin_array();
-  for (Index level = 0; level < count; ++level) {
-    json.begin_object().field("level", level);
-    append_measures(json, report, level);
-    json.end_object();
-  }
-  json.end_array();
-}
-
 void append_histograms(JsonWriter& json, const audit::Report& report) {
   json.key("histograms").begin_object();
   for (const audit::Histogram& histogram : report.histograms) {
@@ -84,15 +72,29 @@ void append_worst(JsonWriter& json, const audit::Report& report) {
   json.end_object();
 }
 
-void append_witnesses(JsonWriter& json, const audit::Report& report) {
-  if (report.witnesses.empty()) return;
-  json.key("witnesses").begin_object();
+void append_witnesses(JsonWriter& json, const audit::Report& report, std::optional<Index> level) {
   for (const audit::Witness& witness : report.witnesses) {
+    if (witness.level != level) continue;
     json.key(witness.name).begin_object();
     append_list(json.key("centre"), witness.centre, witness.centre.size());
     append_list(json.key("at"), witness.at, witness.at.size());
     json.end_object();
   }
+}
+
+// What there is of the whole, then a list of the levels with what there is of each.
+template <class Append>
+void append_by_level(JsonWriter& json, const audit::Report& report, Append append) {
+  json.begin_object();
+  append(json, report, std::nullopt);
+  const Index count = level_count(report);
+  if (count > 0) json.key("levels").begin_array();
+  for (Index level = 0; level < count; ++level) {
+    json.begin_object().field("level", level);
+    append(json, report, level);
+    json.end_object();
+  }
+  if (count > 0) json.end_array();
   json.end_object();
 }
 
@@ -214,13 +216,10 @@ bool is_of_nodes(Item item) {
 void append_audit_json(JsonWriter& json, const audit::Report& report) {
   json.field("verdict", report.pass() ? "pass" : "fail").key("checks").begin_array();
   for (const Check& check : report.checks) append_check(json, check);
-  json.end_array().key("measures").begin_object();
-  append_measures(json, report, std::nullopt);
-  append_levels(json, report);
-  json.end_object();
+  append_by_level(json.end_array().key("measures"), report, append_measures);
   append_histograms(json, report);
   append_worst(json, report);
-  append_witnesses(json, report);
+  if (!report.witnesses.empty()) append_by_level(json.key("witnesses"), report, append_witnesses);
   append_theorems(json, report);
 }
 
@@ -230,7 +229,8 @@ std::string audit_table(const audit::Report& report) {
     if (!check.level || !check.pass()) text += check_line(check);
   for (const audit::Measure& measure : report.measures)
     if (!measure.level) text += "  " + padded(measure.name, 34) + six_digits(measure.value) + "\n";
-  for (const audit::Theorem& theorem : report.theorems) text += theorem_line(theorem);
+  for (const audit::Theorem& theorem : report.theorems)
+    if (!theorem.level || theorem.applies()) text += theorem_line(theorem);
   return text + level_table(report);
 }
 

@@ -151,6 +151,21 @@ bool stretch_the_spacing(Sequence& sequence, Random& random) {
   return level.mesh.points.size() > sequence.fixed.size();
 }
 
+// One value rises to three times the largest that its neighbours allow along edges of the level.
+bool raise_a_value(Sequence& sequence, Random& random) {
+  auto& level = some_level(sequence, random);
+  const auto v = static_cast<Index>(random.below(level.spacing.size()));
+  double least = INFINITY;
+  for (const auto& t : level.mesh.triangles)
+    for (const Index w : t) {
+      const Point2 p = level.mesh.points[v], q = level.mesh.points[w];
+      if (w != v && std::count(t.begin(), t.end(), v) > 0)
+        least = std::min(least, level.spacing[w] + std::hypot(p.x - q.x, p.y - q.y));
+    }
+  level.spacing[v] = 3 * least;
+  return level.spacing.size() > 3;
+}
+
 bool lose_a_special_point(Sequence& sequence, Random& random) {
   // A special point that never was: a node of the finest level alone.
   const auto& last = sequence.levels.back().origin;
@@ -208,7 +223,7 @@ std::vector<Fault> faults() {
       {"finest level put in the middle",
        skip_a_level,
        {"node_nested", "fewer_nodes", "levels_valid"},
-       kShape + Names{"graph_spacing", "boundary_nested"}},
+       kShape + Names{"graph_spacing", "graph_lipschitz", "boundary_nested"}},
       {"edge flipped on a level",
        flip_an_edge,
        {"constrained_delaunay", "delaunay", "levels_constrained_delaunay", "levels_valid"},
@@ -221,7 +236,11 @@ std::vector<Fault> faults() {
       {"spacing a thousand times too large",
        stretch_the_spacing,
        {"graph_spacing", "euclidean_spacing"},
-       {}},
+       {"graph_lipschitz"}},
+      {"value raised to break Lipschitz in the graph",
+       raise_a_value,
+       {"graph_lipschitz"},
+       {"graph_spacing", "euclidean_spacing"}},
       {"special point lost", lose_a_special_point, {"fixed_nodes_kept"}, {}},
       {"level repeated", repeat_a_level, {"fewer_nodes"}, {}},
       {"notch cut into a level",

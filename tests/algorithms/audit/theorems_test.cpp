@@ -3,14 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "tests/support/audit_meshes.hpp"
 #include "tests/support/audit_tet_meshes.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
+#include "wellspaced/algorithms/audit/vectors.hpp"
 #include "wellspaced/algorithms/audit/well_spaced.hpp"
+#include "wellspaced/algorithms/generate/grid.hpp"
+#include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
 namespace {
@@ -51,8 +56,7 @@ TEST(Theorems, OfThePlaneHoldOnEveryCleanMesh) {
     const auto report = judged(mesh, SpacingKind::kNearestNeighbour);
     expect_all_hold(report, name);
     EXPECT_TRUE(theorem(report, "2.4.2").applies()) << name;
-    EXPECT_TRUE(theorem(report, "2.4.1").applies() ||
-                !report.check("constrained_delaunay")->pass());
+    EXPECT_EQ(theorem(report, "2.4.1").applies(), report.check("spheres_empty")->pass()) << name;
     EXPECT_TRUE(theorem(report, "2.5.1(1)").applies()) << name;
   }
 }
@@ -107,20 +111,78 @@ TEST(Theorems, ThatApplyAndFailAreSaidToFail) {
   }
 }
 
-// A cubic grid: rho = sqrt 3 / 2 and C = sqrt 3 at most, and a gap of sqrt 3 / 2.
-TEST(Theorems, BoundTheInteriorGapsOfACubicGrid) {
+// A cubic grid: rho = sqrt 3 / 2 and C = sqrt 3, and gaps of 1/2, sqrt 2 / 2 and sqrt 3 / 2.
+TEST(Theorems, BoundTheGapsOfACubicGrid) {
   const TetMesh mesh = test::cubes(2, 2, 2, [](Index, Index, Index) { return true; });
+  const double rho = std::sqrt(0.75), c = std::sqrt(3.0);
+  const struct {
+    const char *theorem, *gap;
+    double left, right;
+  } cases[] = {
+      {"3.6.2(1)", "gap_segment_upper", 0.5, c * (1 + 4 * rho) / 2},
+      {"3.6.2(2)", "gap_face_upper", std::sqrt(0.5), 4 * (1 + 6 * rho) * (1 + 6 * rho) + 0.5},
+      {"3.6.2(3)", "gap_interior_upper", rho, 4.5 * (1 + 8 * rho) * (1 + 8 * rho) + 0.5}};
   audit::Report report = judged(mesh, SpacingKind::kNearestNeighbour);
-  const auto& t = theorem(report, "3.6.2");
-  EXPECT_TRUE(t.applies()) << t.missing_hypothesis;
-  EXPECT_TRUE(t.holds);
-  EXPECT_LE(t.left, 2);
-  EXPECT_NEAR(t.right, 130 * 0.75 * 3, 1e-6);
-  for (auto& measure : report.measures)
-    if (measure.name == "gap_interior_upper") measure.value = 300;
+  for (const auto& [name, gap, left, right] : cases) {
+    const auto& t = theorem(report, name);
+    EXPECT_TRUE(t.applies()) << t.missing_hypothesis;
+    EXPECT_TRUE(t.holds);
+    EXPECT_NEAR(t.left, left, 0.05 * left);
+    EXPECT_NEAR(t.right, right, 1e-9 * right);
+    for (auto& measure : report.measures)
+      if (measure.name == gap) measure.value = right * (1 + 1e-6);
+  }
   report.theorems.clear();
   audit::compare_with_theorems(mesh, SpacingKind::kNearestNeighbour, report);
-  EXPECT_FALSE(theorem(report, "3.6.2").holds);
+  for (const auto& broken : cases) EXPECT_FALSE(theorem(report, broken.theorem).holds);
+}
+
+// What the bound on gaps rests on: f(u) >= NN(p) / (1 + 2 k rho) at a place u of a simplex with k
+// corners, p the one of largest weight.
+TEST(Theorems, BoundOnGapsRestsOnTheSpacingAtEveryPlace) {
+  const TetMesh mesh = test::random_tet_mesh(120, 3);
+  const double rho = judged(mesh, SpacingKind::kNearestNeighbour).measure("radius_edge")->value;
+  const auto at = [&](Index v) { return audit::coordinates_of(mesh.points[v]); };
+  std::vector<double> nn(mesh.points.size(), INFINITY);
+  for (Index v = 0; v < nn.size(); ++v)
+    for (Index w = 0; w < nn.size(); ++w)
+      if (v != w) nn[v] = std::min(nn[v], audit::distance_of(at(v), at(w)));
+  Random random(1);
+  for (const auto& tet : mesh.tets)
+    for (std::size_t k = 2; k <= 4; ++k) {
+      std::array<double, 4> weight{};
+      double sum = 0;
+      for (std::size_t i = 0; i < k; ++i) sum += weight[i] = random.uniform();
+      audit::Vec<3> u{};
+      for (std::size_t i = 0; i < k; ++i) u = audit::step(u, weight[i] / sum, at(tet[i]));
+      double f = INFINITY;
+      for (Index v = 0; v < nn.size(); ++v) f = std::min(f, nn[v] + audit::distance_of(u, at(v)));
+      const auto heaviest = std::max_element(weight.begin(), weight.end()) - weight.begin();
+      EXPECT_GE(f * (1 + 2 * k * rho) * (1 + 1e-9), nn[tet[heaviest]]);
+    }
+}
+
+// Two bodies next to each other, node against node: each is near to its image, though no edge tells
+// of it.
+TEST(Theorems, HoldForBodiesThatAlmostTouch) {
+  const TetMesh cubes = test::cubes(2, 2, 2, [](Index, Index, Index) { return true; });
+  const auto report =
+      judged(test::side_by_side(cubes, cubes, {2 + 0x1p-10, 0, 0}), SpacingKind::kNearestNeighbour);
+  expect_all_hold(report, "two boxes");
+  EXPECT_TRUE(theorem(report, "3.6.2(3)").applies());
+  EXPECT_GT(report.measure("gap")->value, 800);
+  EXPECT_GT(report.measure("density_graph_constant")->value, 1700);
+}
+
+// Node against edge: the circles reach across, and the nodes are far from all that they can see.
+TEST(Theorems, DoNotTakeWhatLiesBehindTheOutsideForNear) {
+  const TriangleMesh grid = generate_grid({.nx = 4, .ny = 4}).value();
+  const auto report =
+      judged(test::side_by_side(grid, grid, {3 + 0x1p-10, 0.5}), SpacingKind::kNearestNeighbour);
+  expect_all_hold(report, "two grids");
+  EXPECT_TRUE(theorem(report, "2.4.6").applies());
+  EXPECT_FALSE(theorem(report, "2.4.1").applies());
+  EXPECT_EQ(report.measure("boundary_distance")->value, 1);
 }
 
 // A cubic grid is a packing of its box by any small constant: with beta = 12 the bound is 11.05.

@@ -9,7 +9,8 @@
 #include "tests/support/audit_meshes.hpp"
 #include "tests/support/audit_tet_meshes.hpp"
 #include "tests/support/mutation.hpp"
-#include "wellspaced/algorithms/audit/requirement.hpp"
+#include "tests/support/spaced_mesh.hpp"
+#include "wellspaced/algorithms/audit/half_edges.hpp"
 #include "wellspaced/algorithms/audit/vectors.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
 #include "wellspaced/kernel/elementary.hpp"
@@ -163,22 +164,11 @@ double sampled_gap(const Sampler& sampler, int steps) {
   return largest;
 }
 
-std::vector<double> nearest_distances(const TriangleMesh& mesh) {
-  std::vector<double> f;
-  for (const Point2 p : mesh.points) {
-    double least = INFINITY;
-    for (const Point2 q : mesh.points)
-      if (!(p == q)) least = std::min(least, std::hypot(p.x - q.x, p.y - q.y));
-    f.push_back(least);
-  }
-  return f;
-}
-
 TEST(WellSpaced, BracketsHoldWhatSamplingFinds) {
   for (const auto& [name, mesh] : test::clean_meshes()) {
     if (mesh.points.size() > 110) continue;
     for (const double stretch : {1.0, 0.3}) {
-      std::vector<double> f = nearest_distances(mesh);
+      std::vector<double> f = test::nearest_distances(mesh);
       for (double& value : f) value *= stretch;
       audit::SpacingAuditOptions options;
       options.spacing = f;
@@ -196,7 +186,7 @@ TEST(WellSpaced, BracketsHoldWhatSamplingFinds) {
 TEST(WellSpaced, TheWitnessOfAGapIsAGap) {
   for (const auto& [name, mesh] : test::clean_meshes()) {
     if (mesh.points.size() > 2000) continue;
-    const Sampler sampler{mesh, nearest_distances(mesh)};
+    const Sampler sampler{mesh, test::nearest_distances(mesh)};
     const auto report = spacing_of(mesh);
     const auto& gap = witness(report, "gap_interior");
     const Point2 c{gap.centre[0], gap.centre[1]}, x{gap.at[0], gap.at[1]};
@@ -208,10 +198,26 @@ TEST(WellSpaced, TheWitnessOfAGapIsAGap) {
   }
 }
 
+// A circle may reach across a slit, where the triangles do not see the nodes in it.
+TEST(WellSpaced, SpheresAreEmptyWhereNoNodeLiesInThem) {
+  for (const auto& [name, mesh] : test::clean_meshes()) {
+    if (mesh.points.size() > 2000) continue;
+    const auto& p = mesh.points;
+    std::vector<Index> full;
+    for (Index t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      if (std::any_of(p.begin(), p.end(),
+                      [&](Point2 x) { return incircle(p[a], p[b], p[c], x) > 0; }))
+        full.push_back(t);
+    }
+    EXPECT_EQ(spacing_of(mesh).check("spheres_empty")->ids, full) << name;
+  }
+}
+
 TEST(WellSpaced, BetaIsTheWorstOfAllPairs) {
   for (const auto& [name, mesh] : test::clean_meshes()) {
     if (mesh.points.size() > 2000) continue;
-    const auto f = nearest_distances(mesh);
+    const auto f = test::nearest_distances(mesh);
     double worst = 0;
     for (Index i = 0; i < f.size(); ++i)
       for (Index j = 0; j < i; ++j) {
@@ -312,39 +318,7 @@ TEST(WellSpaced, BracketsOnTrianglesOfAHullHoldWhatSamplingFinds) {
 
 // ---- Mutations
 
-struct Spaced {
-  TriangleMesh mesh;
-  std::vector<double> spacing;
-  double beta, gap, boundary_distance;
-};
-
-// What is claimed is what is measured, and a hair more.
-Spaced claim(const TriangleMesh& mesh) {
-  Spaced spaced{mesh, nearest_distances(mesh), 0, 0, 0};
-  audit::SpacingAuditOptions options;
-  options.spacing = spaced.spacing;
-  const auto report = spacing_of(mesh, options);
-  spaced.beta = measured(report, "beta") * (1 + 1e-13);
-  spaced.gap = measured(report, "gap") * 1.01;
-  spaced.boundary_distance = measured(report, "boundary_distance") * (1 - 1e-13);
-  return spaced;
-}
-
-audit::Report audit_claims(const Spaced& spaced) {
-  audit::SpacingAuditOptions options;
-  options.spacing = spaced.spacing;
-  options.beta = spaced.beta;
-  audit::Report report = spacing_of(spaced.mesh, options);
-  using Relation = audit::Requirement::Relation;
-  audit::Requirement gap{"bounded_gaps", "gap", Relation::kAtMost, spaced.gap};
-  audit::Requirement far{"far_from_boundary", "boundary_distance", Relation::kAtLeast,
-                         spaced.boundary_distance};
-  if (report.measure("gap") != nullptr) {
-    EXPECT_TRUE(audit::require(gap, report).ok());
-    EXPECT_TRUE(audit::require(far, report).ok());
-  }
-  return report;
-}
+using Spaced = test::SpacedMesh<TriangleMesh>;
 
 std::vector<Index> inner_nodes(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> outer(mesh.points.size(), 0);
@@ -357,7 +331,7 @@ std::vector<Index> inner_nodes(const TriangleMesh& mesh) {
 
 // Moves the node of a pair that is as close as beta allows closer by 1e-12.
 bool break_beta(Spaced& spaced, Random&) {
-  const auto report = audit_claims(spaced);
+  const auto report = test::audit_claims(spaced);
   const auto& pair = witness(report, "beta");
   const Point2 p{pair.centre[0], pair.centre[1]}, q{pair.at[0], pair.at[1]};
   for (Point2& x : spaced.mesh.points)
@@ -400,16 +374,26 @@ bool raise_a_value(Spaced& spaced, Random& random) {
   return true;
 }
 
-// An inner node goes to within a hundredth of its spacing of the boundary.
+// An inner node goes to within a hundredth of an edge of the boundary, inside the triangle there.
 bool push_to_the_boundary(Spaced& spaced, Random& random) {
   const auto inner = inner_nodes(spaced.mesh);
   if (inner.empty()) return false;
   const Index v = inner[random.below(inner.size())];
   const Segment& s = spaced.mesh.segments[random.below(spaced.mesh.segments.size())];
-  const Point2 a = spaced.mesh.points[s.a], b = spaced.mesh.points[s.b];
-  const double h = 0.01 * std::hypot(a.x - b.x, a.y - b.y);
-  spaced.mesh.points[v] = {(a.x + b.x) / 2 + h, (a.y + b.y) / 2 + h};
-  return 1.5 * h < spaced.boundary_distance * spaced.spacing[v];
+  const auto& triangles = spaced.mesh.triangles;
+  const auto t = std::find_if(triangles.begin(), triangles.end(), [&](const auto& corners) {
+    return std::count(corners.begin(), corners.end(), s.a) +
+               std::count(corners.begin(), corners.end(), s.b) ==
+           2;
+  });
+  const Index apex = (*t)[0] + (*t)[1] + (*t)[2] - s.a - s.b;
+  const auto& p = spaced.mesh.points;
+  const Point2 middle{(p[s.a].x + p[s.b].x) / 2, (p[s.a].y + p[s.b].y) / 2};
+  const Point2 inwards{p[apex].x - middle.x, p[apex].y - middle.y};
+  const double edge = std::hypot(p[s.a].x - p[s.b].x, p[s.a].y - p[s.b].y);
+  const double h = 0.01 * edge / std::hypot(inwards.x, inwards.y);
+  spaced.mesh.points[v] = {middle.x + h * inwards.x, middle.y + h * inwards.y};
+  return 0.01 * edge < spaced.boundary_distance * spaced.spacing[v];
 }
 
 bool lose_a_value(Spaced& spaced, Random& random) {
@@ -417,15 +401,35 @@ bool lose_a_value(Spaced& spaced, Random& random) {
   return true;
 }
 
+// The other diagonal of a convex quadrilateral: each circle then holds the corner opposite.
+bool swallow_a_node(Spaced& spaced, Random& random) {
+  auto& triangles = spaced.mesh.triangles;
+  const auto& p = spaced.mesh.points;
+  const auto half_edges =
+      audit::pair_half_edges(triangles, spaced.mesh.segments, static_cast<Index>(p.size()));
+  for (int tries = 0; tries < 100; ++tries) {
+    const auto h = static_cast<Index>(random.below(half_edges.twin.size()));
+    const Index twin = half_edges.twin[h];
+    if (twin == kNoIndex || half_edges.constrained[h] != 0) continue;
+    const Index a = audit::origin(triangles, h), b = audit::target(triangles, h);
+    const Index c = audit::apex(triangles, h), d = audit::apex(triangles, twin);
+    if (incircle(p[a], p[b], p[c], p[d]) >= 0) continue;
+    if (orient2d(p[c], p[d], p[b]) <= 0 || orient2d(p[d], p[c], p[a]) <= 0) continue;
+    triangles[h / 3] = {d, c, a}, triangles[twin / 3] = {c, d, b};
+    return true;
+  }
+  return false;
+}
+
 TEST(SpacingMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
-  test::MutationTest<Spaced> table(audit_claims, {});
+  test::MutationTest<Spaced> table(test::audit_claims<TriangleMesh>, {"spheres_empty"});
   for (const auto& [name, mesh] : test::clean_meshes())
-    if (mesh.points.size() < 200) table.add_clean(name, claim(mesh), 5);
+    if (mesh.points.size() < 200) table.add_clean(name, test::claim(mesh), 5);
   table.run({{"node displaced to break beta by 1e-12",
               break_beta,
               {"beta_spaced"},
-              {"far_from_boundary", "lipschitz", "well_spaced"}},
-             {"ball emptied", empty_a_ball, {"bounded_gaps"}, {"beta_spaced"}},
+              {"far_from_boundary", "lipschitz", "well_spaced", "spheres_empty"}},
+             {"ball emptied", empty_a_ball, {"bounded_gaps"}, {"beta_spaced", "spheres_empty"}},
              {"value raised to break Lipschitz by 1e-12",
               raise_a_value,
               {"lipschitz", "well_spaced"},
@@ -433,8 +437,9 @@ TEST(SpacingMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
              {"node pushed to the boundary",
               push_to_the_boundary,
               {"far_from_boundary"},
-              {"beta_spaced", "lipschitz", "well_spaced", "bounded_gaps"}},
-             {"value that is no spacing", lose_a_value, {"spacing_positive"}, {}}},
+              {"beta_spaced", "lipschitz", "well_spaced", "bounded_gaps", "spheres_empty"}},
+             {"circle that swallows a node", swallow_a_node, {"spheres_empty"}, {}},
+             {"value that is no spacing", lose_a_value, {"spacing_positive"}, {"spheres_empty"}}},
             10);
 }
 
