@@ -136,5 +136,10 @@ TEST(Determinism, OfCoarseningByQuadtree) {
             "5eecb6cc341f018df647c7c666891c9ad119c7f43a09efc8df275cfd00111438");
 }
 
+TEST(Determinism, OfCoarseningByRefinement) {
+  EXPECT_EQ(hash_of_coarsening(CoarseningMethod::kRefinement),
+            "b669de601331f62dcb23fcb906802db0f9788b434f61b700f2760a66d2cdf33f");
+}
+
 }  // namespace
 }  // namespace wellspaced
