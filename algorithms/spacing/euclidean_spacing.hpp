@@ -15,25 +15,27 @@ namespace wellspaced {
 class EuclideanCoarseningFunction {
  public:
   /// spacing: g, one value >= 0 a point; infinite where g says nothing. factor: C > 0.
-  /// Requires: finite points, at most kMaxOrderedPoints. Cost: O(n log n).
+  /// Requires: finite points, at most kMaxOrderedPoints.
+  /// Cost: O(n log n), and the queries, one a point, of the cones that are lowest at their own
+  /// apex: the others are the lowest nowhere.
   EuclideanCoarseningFunction(std::span<const Point2> points, std::span<const double> spacing,
                               double factor);
 
   /// f(x). The cone is chosen exactly, its value within 3 units in the last place. Infinite where
-  /// no cone has a finite value.
-  /// Degenerate: where very many cones are nearly as low as the lowest, as at the centre of a
-  /// circle of points with one g, the value may be too large by 4 parts in 1000. Cost: that of
-  /// SiteTree::nearly_nearest: O(log n), and bounded wherever the points lie.
+  /// no cone has a finite value. Cost: that of SiteTree::nearest: O(log n) where few cones are
+  /// nearly as low as the lowest, as on meshes; all n at worst, as at the centre of a circle of
+  /// them.
   double operator()(Point2 x) const;
 
-  /// The point q that f(x) comes from, the lowest of several; kNoIndex where f(x) is infinite.
-  Index source(Point2 x) const { return tree_.nearly_nearest(x); }
+  /// The point q that f(x) comes from; kNoIndex where f(x) is infinite.
+  Index source(Point2 x) const { return tree_.nearest(x); }
 
   /// f at the points of P.
-  std::vector<double> at_points() const;
+  const std::vector<double>& at_points() const { return values_; }
 
  private:
-  SiteTree tree_;
+  std::vector<double> values_;  // f at the points of P
+  SiteTree tree_;               // of the cones that are lowest at their own apex
 };
 
 /// f_{g,C,P} at the points of P. See EuclideanCoarseningFunction.

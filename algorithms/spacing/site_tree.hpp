@@ -20,7 +20,7 @@ namespace wellspaced {
 /// Decisions are exact: of several sites at equal distance the lowest in number is nearest.
 /// Cost: O(n log n) to build. A query looks at the sites that are nearly as near as the nearest:
 /// O(log n) where these are few, as for the sites of a mesh; all n at worst, as from the centre of
-/// a circle of sites, which nearly_nearest() bounds.
+/// a circle of sites.
 class SiteTree {
  public:
   /// weights: one a site, >= 0, infinite for a site that is never nearest; empty: all 0.
@@ -45,17 +45,6 @@ class SiteTree {
     return nearest(x, std::numeric_limits<double>::max(), [](Index) { return true; });
   }
 
-  /// The nearest site to x; but where very many are nearly as near, as from the middle of a circle
-  /// of sites, one at most 1 / (1 - kNearly) times as far. kNoIndex if no weight is finite. Cost:
-  /// O(log n) and at most about 1 / kNearly boxes, wherever the sites lie.
-  Index nearly_nearest(Point2 x) const {
-    Best best{std::numeric_limits<double>::max(), kNoIndex, kExactVisits};
-    const auto any = [](Index) { return true; };
-    if (!sites_.empty()) descend(x, {1, 0, leaves_}, best, any);
-    return best.site;
-  }
-  static constexpr double kNearly = 0x1p-8;
-
   /// Calls visit with every site, near ones in succession: queries at them share their paths.
   template <class Visit>
   void for_each_along_curve(Visit visit) const {
@@ -67,8 +56,6 @@ class SiteTree {
 
  private:
   static constexpr std::size_t kBlock = 8;
-  static constexpr std::size_t kExactVisits =
-      1024;  // boxes looked into before exactness is given up
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   struct Node {
     Box2 box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
@@ -88,10 +75,6 @@ class SiteTree {
   struct Best {
     double distance;
     Index site;
-    std::size_t exact_visits = std::numeric_limits<std::size_t>::max();  // that are left
-
-    // How near a box must be to be looked into.
-    double reach() const { return exact_visits > 0 ? distance : distance * (1 - kNearly); }
   };
 
   double lower_bound(std::size_t node, Point2 x) const;
@@ -100,13 +83,12 @@ class SiteTree {
   // Recursion is as deep as the tree, log2 n.
   template <class Accept>
   void descend(Point2 x, Range range, Best& best, Accept& accept) const {
-    if (best.exact_visits > 0) --best.exact_visits;
     if (range.last - range.first == 1) return visit_block(x, range.first, best, accept);
     Range near = range.lower(), far = range.upper();
     double to_near = lower_bound(near.node, x), to_far = lower_bound(far.node, x);
     if (to_far < to_near) std::swap(near, far), std::swap(to_near, to_far);
-    if (to_near <= best.reach()) descend(x, near, best, accept);
-    if (to_far <= best.reach()) descend(x, far, best, accept);
+    if (to_near <= best.distance) descend(x, near, best, accept);
+    if (to_far <= best.distance) descend(x, far, best, accept);
   }
 
   template <class Accept>
