@@ -184,7 +184,7 @@ void Delaunay2::close_star(Edge e, std::vector<Index>& cut) {
   const Index t = topology_.merge_star(e, moved);
   triangle_of_[v] = kNoIndex;
   for (const auto& [from, to] : moved) {
-    refresh_triangle_of(to);
+    if (to < topology_.size()) refresh_triangle_of(to);  // else the next one moves it on
     std::replace(cut.begin(), cut.end(), from, to);
   }
   refresh_triangle_of(t);
