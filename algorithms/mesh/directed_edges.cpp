@@ -44,11 +44,20 @@ std::optional<DirectedEdges::Conflict> DirectedEdges::find_conflict() const {
   return Conflict{edge_of(*found), found->item, (found + 1)->item};
 }
 
+// The edges that leave one node stand together and ascend. So do the edges that are looked for
+// among them, as their opposites come one after the other: a place for each node only moves on.
 std::vector<DirectedEdges::Edge> DirectedEdges::boundary() const {
   std::vector<Edge> result;
+  if (edges_.empty()) return result;
+  std::vector<Index> place(std::size_t{edge_of(edges_.back())[0]} + 1);
+  for (std::size_t i = edges_.size(); i-- > 0;)
+    place[edge_of(edges_[i])[0]] = static_cast<Index>(i);
   for (const KeyedItem& item : edges_) {
     const Edge edge = edge_of(item);
-    if (triangle_of(edge[1], edge[0]) == kNoIndex) result.push_back(edge);
+    const std::uint64_t opposite = key_of(edge[1], edge[0]);
+    Index& i = place[edge[1]];
+    while (i < edges_.size() && edges_[i].key < opposite) ++i;
+    if (i == edges_.size() || edges_[i].key != opposite) result.push_back(edge);
   }
   return result;
 }

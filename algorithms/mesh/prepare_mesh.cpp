@@ -17,11 +17,13 @@ using Triangle = std::array<Index, 3>;
 // One preparation: the mesh, and how messages count.
 class Preparer {
  public:
-  Preparer(TriangleMesh& mesh, Index base) : mesh_(mesh), base_(base) {}
+  Preparer(TriangleMesh& mesh, Index base, const Progress& progress)
+      : mesh_(mesh), base_(base), progress_(progress) {}
 
   Result<MeshPreparation> run();
 
  private:
+  Status go_on(std::uint64_t parts) const;
   Status check_indices() const;
   Status orient();
   Status check_edges(const DirectedEdges& edges) const;
@@ -46,8 +48,15 @@ class Preparer {
 
   TriangleMesh& mesh_;
   Index base_;
+  const Progress& progress_;
   MeshPreparation found_;
 };
+
+// Tells how many of the parts of run() are done.
+Status Preparer::go_on(std::uint64_t parts) const {
+  if (report(progress_, "check", parts, 4)) return Ok{};
+  return Error{ErrorCode::kCancelled, "the check of the mesh was cancelled", {}};
+}
 
 Status Preparer::check_indices() const {
   const std::size_t points = mesh_.points.size();
@@ -183,20 +192,24 @@ Status Preparer::check_coincidences(std::span<const DirectedEdges::Edge> boundar
 Result<MeshPreparation> Preparer::run() {
   if (Status status = check_indices(); !status) return status.error();
   if (Status status = orient(); !status) return status.error();
+  if (Status status = go_on(1); !status) return status.error();
   const DirectedEdges edges(mesh_.triangles);
+  if (Status status = go_on(2); !status) return status.error();
   if (Status status = check_edges(edges); !status) return status.error();
   if (Status status = check_segments(edges); !status) return status.error();
   const std::vector<DirectedEdges::Edge> boundary = edges.boundary();
+  if (Status status = go_on(3); !status) return status.error();
   if (Status status = check_coincidences(boundary); !status) return status.error();
   drop_repeated_segments();
   recover_boundary(boundary);
+  if (Status status = go_on(4); !status) return status.error();
   return found_;
 }
 
 }  // namespace
 
-Result<MeshPreparation> prepare_mesh(TriangleMesh& mesh, Index base) {
-  return Preparer(mesh, base).run();
+Result<MeshPreparation> prepare_mesh(TriangleMesh& mesh, Index base, const Progress& progress) {
+  return Preparer(mesh, base, progress).run();
 }
 
 }  // namespace wellspaced

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -20,14 +21,16 @@ struct MeshPreparation {
 /// as their triangle is).
 ///
 /// base: the number of the first point and triangle in messages; the ids of errors count from 0.
+/// progress: phase "check".
 /// Requires: at most 2^30 triangles; finite coordinates.
-/// Errors, all kInvalidGeometry: an index out of range; a triangle without area; triangles that
-/// are partly clockwise; two triangles on the same side of an edge; a segment that is no edge;
-/// coincident points in use that are no pair across a slit. Two points are one if they are joined
-/// to coincident points by boundary edges whose triangles lie on opposite sides (CHOICES 5, 16).
-/// The mesh is then unspecified.
+/// Errors: kCancelled; else kInvalidGeometry: an index out of range; a triangle without area;
+/// triangles that are partly clockwise; two triangles on the same side of an edge; a segment that
+/// is no edge; coincident points in use that are no pair across a slit. Two points are one if they
+/// are joined to coincident points by boundary edges whose triangles lie on opposite sides (CHOICES
+/// 5, 16). The mesh is then unspecified.
 /// Not checked: whether triangles without a common edge overlap; that is the auditor's work.
 /// Cost: O(n log n).
-Result<MeshPreparation> prepare_mesh(TriangleMesh& mesh, Index base = 0);
+Result<MeshPreparation> prepare_mesh(TriangleMesh& mesh, Index base = 0,
+                                     const Progress& progress = {});
 
 }  // namespace wellspaced

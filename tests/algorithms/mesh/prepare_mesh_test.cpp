@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <string>
 
+#include "tests/support/cancelling.hpp"
 #include "wellspaced/algorithms/mesh/coincident_points.hpp"
 #include "wellspaced/algorithms/mesh/directed_edges.hpp"
+#include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
 namespace {
@@ -173,6 +175,13 @@ TEST(PrepareMesh, TakesALargeFanInItsStride) {
   EXPECT_EQ(found->recovered_segments, kBlades + 2);
 }
 
+TEST(PrepareMesh, CanBeCancelled) {
+  test::phases_that_cancel([](const Progress& progress) {
+    TriangleMesh mesh = square();
+    return prepare_mesh(mesh, 0, progress);
+  });
+}
+
 TEST(FirstCoincident, NamesTheLowestNumberAndTakesZerosAsEqual) {
   const std::vector<Point2> points = {{1, 0}, {0.0, 0}, {1, 0}, {-0.0, 0}, {0, 1}};
   EXPECT_EQ(first_coincident(points), (std::vector<Index>{0, 1, 0, 1, 4}));
@@ -191,6 +200,22 @@ TEST(DirectedEdges, FindsTrianglesBoundaryAndConflicts) {
   EXPECT_FALSE(edges.has_edge(1, 3));
   EXPECT_EQ(edges.boundary().size(), 4u);
   EXPECT_FALSE(edges.find_conflict().has_value());
+}
+
+TEST(DirectedEdges, HaveTheBoundaryThatLookingUpEachOppositeTells) {
+  Random random(3);
+  for (int run = 0; run < 200; ++run) {
+    std::vector<std::array<Index, 3>> triangles(random.below(30));
+    for (auto& t : triangles)
+      t = {Index(random.below(9)), Index(random.below(9)), Index(random.below(9))};
+    const DirectedEdges edges(triangles);
+    std::vector<DirectedEdges::Edge> expected;
+    for (const auto& [a, b, c] : triangles)
+      for (const DirectedEdges::Edge e : {DirectedEdges::Edge{a, b}, {b, c}, {c, a}})
+        if (edges.triangle_of(e[1], e[0]) == kNoIndex) expected.push_back(e);
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(edges.boundary(), expected);
+  }
 }
 
 }  // namespace
