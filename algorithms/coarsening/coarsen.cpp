@@ -239,7 +239,12 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   if (const Status status = check_options(options, mesh.points.size()); !status)
     return status.error();
 
+  const auto go_on = [&, nodes = mesh.points.size()]() -> Status {
+    if (report(options.progress, "prepare", 0, nodes)) return Ok{};
+    return Error{ErrorCode::kCancelled, "coarsening was cancelled", {}};
+  };
   Skeleton skeleton = uses_graph(options) ? skeleton_of(mesh) : skeleton_without_graph(mesh);
+  if (const Status status = go_on(); !status) return status.error();
   mesh.fixed = special_points(mesh, skeleton, options);
   complete_segments(mesh, skeleton.boundary);
   if (options.method == CoarseningMethod::kQuadtree) {
@@ -250,6 +255,7 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   }
   const auto limit = spacing_limit(mesh, options);
   if (!limit) return limit.error();
+  if (const Status status = go_on(); !status) return status.error();
   Level finest = finest_level(std::move(mesh), skeleton.graph, options);
   if (options.method == CoarseningMethod::kRefinement)
     return coarsen_by_refinement(std::move(finest), skeleton, options);

@@ -90,8 +90,9 @@ struct CoarseningOptions {
   /// levels fall short of it, with a few more nodes.
   double angle_deg = 22;
   bool count_work = false;  ///< fill Level::work
-  /// Phases "spacing", "boundary", "select", "triangulate" of each level, in order, each at its
-  /// start and some more often; done: nodes of the input that are coarsened away, total: all.
+  /// Phase "prepare", then "spacing", "boundary", "select", "triangulate" of each level, in order,
+  /// each at its start and some more often; done: nodes of the input that are coarsened away,
+  /// total: all.
   Progress progress = {};
 };
 
@@ -129,7 +130,8 @@ CoarseningOptions theorem_options(CoarseningMethod method);
 /// Errors: kUsage for an option or special point out of range (ids: the points);
 ///   kInvalidGeometry for an index out of range, a coordinate that is not finite, or a boundary
 ///   that crosses itself; kLimit for meshes beyond 2^28 nodes.
-/// Cancelled: the levels that are finished are returned, with complete = false.
+/// Cancelled: the levels that are finished are returned, with complete = false; kCancelled where
+///   that happens in the phase "prepare".
 /// Cost: O(n log n) for bounded factor and degrees, fine to coarse; with the other schemes every
 ///   level costs about as much as the first.
 /// Audit: every level by `audit`: embedding, conformity, constrained Delaunay, node-nestedness.

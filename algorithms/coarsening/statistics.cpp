@@ -100,11 +100,15 @@ LevelStatistics mesh_statistics(const TriangleMesh& mesh) {
   return result;
 }
 
-std::vector<LevelStatistics> hierarchy_statistics(const Hierarchy& hierarchy) {
+std::vector<LevelStatistics> hierarchy_statistics(const Hierarchy& hierarchy,
+                                                  const Progress& progress) {
   std::vector<LevelStatistics> rows;
+  bool counts = true;
   for (const Level& level : hierarchy.levels) {
     LevelStatistics row = mesh_statistics(level.mesh);
-    if (!rows.empty()) row.intersection = intersection_of(level, hierarchy.levels[rows.size() - 1]);
+    counts = counts && report(progress, "measure", rows.size(), hierarchy.levels.size());
+    if (counts && !rows.empty())
+      row.intersection = intersection_of(level, hierarchy.levels[rows.size() - 1]);
     if (level.work) add_work(*level.work, row);
     rows.push_back(row);
   }

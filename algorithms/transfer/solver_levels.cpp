@@ -40,18 +40,28 @@ void describe_step(const Level& finer, const Level& coarser, const Transfer& tra
         audit::count_intersections(finer.mesh, coarser.mesh, coarser.parent).max_per_coarse();
 }
 
+Error preparation_cancelled() {
+  return {ErrorCode::kCancelled, "the preparation for a solver was cancelled", {}};
+}
+
 }  // namespace
 
-Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy) {
-  auto transfers = transfers_of(hierarchy);
-  if (!transfers) return transfers.error();
+Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy, const Progress& progress) {
   SolverHierarchy solver;
-  solver.transfers = std::move(*transfers);
+  const std::size_t levels = hierarchy.levels.size();
+  for (std::size_t k = 0; k + 1 < levels; ++k) {
+    if (!report(progress, "transfer", k, levels)) return preparation_cancelled();
+    auto transfer = transfer_between(hierarchy.levels[k], hierarchy.levels[k + 1]);
+    if (!transfer) return transfer.error();
+    solver.transfers.push_back(std::move(*transfer));
+  }
+  if (!report(progress, "measure", 0, levels)) return preparation_cancelled();
   const TriangleMesh& finest = hierarchy.levels[0].mesh;
   const std::vector<OperatorSize> sizes = operator_sizes(finest, solver.transfers);
   const double area = mesh_area(finest), perimeter = mesh_perimeter(finest);
   double nodes = 0;
-  for (std::size_t k = 0; k < hierarchy.levels.size(); ++k) {
+  for (std::size_t k = 0; k < levels; ++k) {
+    if (!report(progress, "measure", k, levels)) return preparation_cancelled();
     const Level& level = hierarchy.levels[k];
     SolverLevel row;
     row.galerkin = sizes[k];

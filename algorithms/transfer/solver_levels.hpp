@@ -8,6 +8,7 @@
 #include "wellspaced/algorithms/coarsening/hierarchy.hpp"
 #include "wellspaced/algorithms/transfer/galerkin.hpp"
 #include "wellspaced/algorithms/transfer/transfer.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -36,8 +37,10 @@ struct SolverHierarchy {
 };
 
 /// The transfers of a hierarchy, and what comes of them.
-/// Requires: as `coarsen` makes hierarchies. Errors: as transfer_between().
+/// progress: phases "transfer" and "measure", at each level.
+/// Requires: as `coarsen` makes hierarchies. Errors: as transfer_between(); kCancelled.
 /// Cost: that of the transfers, of counting intersections and of operator_sizes().
-Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy);
+Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy,
+                                           const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -174,7 +174,8 @@ Status read_into(wellspaced_context& context, const char* path, const char* form
       path, {.format = format == nullptr ? "" : format, .progress = progress_of(context)});
   if (!geometry) return geometry.error();
   if (!geometry->mesh.triangles.empty())
-    if (Status status = prepare_geometry(*geometry, path); !status) return status;
+    if (Status status = prepare_geometry(*geometry, path, progress_of(context)); !status)
+      return status;
   hold(context, *std::move(geometry));
   return Ok{};
 }
@@ -296,7 +297,8 @@ wellspaced_status wellspaced_set_mesh(wellspaced_context* context, const double*
     for (std::size_t t = 0; t < triangle_count; ++t)
       geometry.mesh.triangles.push_back(
           {triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]});
-    if (Status status = prepare_geometry(geometry, "the mesh"); !status) return status;
+    if (Status status = prepare_geometry(geometry, "the mesh", progress_of(*context)); !status)
+      return status;
     hold(*context, std::move(geometry));
     return Ok{};
   });

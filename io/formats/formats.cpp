@@ -300,12 +300,12 @@ Result<Geometry> read_geometry(const std::string& given, const ReadOptions& opti
   return parse_text(*text, path, options);
 }
 
-Status prepare_geometry(Geometry& geometry, const std::string& name) {
+Status prepare_geometry(Geometry& geometry, const std::string& name, const Progress& progress) {
   if (geometry.dimension != 2 || geometry.mesh.triangles.empty())
     return Error{ErrorCode::kUnreadable,
                  name + ": holds no triangles (a mesh X is read from X.node and X.ele)",
                  {}};
-  const auto found = prepare_mesh(geometry.mesh, geometry.index_base);
+  const auto found = prepare_mesh(geometry.mesh, geometry.index_base, progress);
   if (!found)
     return Error{found.error().code, name + ": " + found.error().message, found.error().ids};
   note_preparation(*found, name, geometry);
@@ -315,7 +315,7 @@ Status prepare_geometry(Geometry& geometry, const std::string& name) {
 Result<Geometry> read_mesh(const std::string& path, const ReadOptions& options) {
   auto geometry = read_geometry(path, options);
   if (!geometry) return geometry;
-  if (Status status = prepare_geometry(*geometry, display_name(path)); !status)
+  if (Status status = prepare_geometry(*geometry, display_name(path), options.progress); !status)
     return status.error();
   return geometry;
 }

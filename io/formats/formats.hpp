@@ -51,7 +51,7 @@ Result<Geometry> read_geometry(const std::string& path, const ReadOptions& optio
 
 /// Checks and completes the triangle mesh of `geometry`: see prepare_mesh(). What a user should
 /// know (turned triangles, points in no triangle) joins its notes. `name` is for messages.
-Status prepare_geometry(Geometry& geometry, const std::string& name);
+Status prepare_geometry(Geometry& geometry, const std::string& name, const Progress& progress = {});
 
 /// Reads a triangle mesh in the plane and prepares it.
 /// Errors: also kUnreadable where the file holds no triangles.

@@ -124,8 +124,9 @@ TEST(Coarsen, TellsThePhasesOfEachLevelInOrder) {
     return true;
   };
   ASSERT_TRUE(coarsen(small_grid(), options).ok());
-  EXPECT_EQ(phases, (std::vector<std::string>{"spacing", "boundary", "select", "triangulate",
-                                              "spacing", "boundary", "select", "triangulate"}));
+  EXPECT_EQ(phases,
+            (std::vector<std::string>{"prepare", "spacing", "boundary", "select", "triangulate",
+                                      "spacing", "boundary", "select", "triangulate"}));
 }
 
 TEST(Coarsen, MeasuresItsWorkOnRequest) {

@@ -4,8 +4,10 @@
 
 #include <set>
 
+#include "tests/support/cancelling.hpp"
 #include "tests/support/grid_meshes.hpp"
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
+#include "wellspaced/algorithms/transfer/solver_levels.hpp"
 
 namespace wellspaced {
 namespace {
@@ -58,6 +60,15 @@ TEST(GalerkinPattern, IsThatOfTheProduct) {
       EXPECT_EQ(sizes[k + 1].entries, expected.size());
     }
   }
+}
+
+TEST(PrepareForSolver, CanBeCancelled) {
+  const auto mesh = test::grid_mesh({.nx = 12, .ny = 12});
+  const Hierarchy deep = coarsen(mesh, {.factor = 2}).value();
+  ASSERT_GE(deep.levels.size(), 3u);
+  const auto phases = test::phases_that_cancel(
+      [&](const Progress& progress) { return prepare_for_solver(deep, progress); });
+  EXPECT_EQ(phases, (std::set<std::string>{"measure", "transfer"}));
 }
 
 TEST(OperatorComplexity, IsTheSumByTheFinest) {
