@@ -16,6 +16,7 @@
 #include "wellspaced/algorithms/transfer/solver_levels.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/process.hpp"
+#include "wellspaced/io/cli/stopwatch.hpp"
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/hierarchy_files.hpp"
@@ -57,9 +58,10 @@ class PhaseClock {
     levels_.back()[phase_] += now - last_;
     last_ = now;
     const auto found = std::ranges::find(kPhases, phase);
+    if (found == kPhases.end()) return;  // before the first level
     const auto entered = static_cast<std::size_t>(found - kPhases.begin());
     if (entered < phase_ || levels_.size() == 1) levels_.emplace_back();
-    phase_ = std::min(entered, kPhases.size() - 1);
+    phase_ = entered;
   }
   void stop() { enter(kPhases[phase_]); }
 
@@ -248,8 +250,9 @@ LevelStatistics sizes_of(const TriangleMesh& mesh) {
   return sizes;
 }
 
-std::vector<LevelStatistics> measure(const Hierarchy& hierarchy, Statistics detail) {
-  if (detail == Statistics::kFull) return hierarchy_statistics(hierarchy);
+std::vector<LevelStatistics> measure(const Hierarchy& hierarchy, Statistics detail,
+                                     const Progress& progress) {
+  if (detail == Statistics::kFull) return hierarchy_statistics(hierarchy, progress);
   std::vector<LevelStatistics> rows;
   for (const Level& level : hierarchy.levels)
     rows.push_back(detail == Statistics::kNone ? sizes_of(level.mesh)
@@ -304,6 +307,17 @@ void warn_of_angles(const Run& run, Session& session) {
                " degrees on this mesh: its special points ask for so many");
 }
 
+// Where that is cut short, what there is of it is dropped, and the run is incomplete.
+Status prepare_for_solver(Session& session, Run& run) {
+  auto solver = wellspaced::prepare_for_solver(run.hierarchy, session.progress());
+  run.hierarchy.complete = solver.ok();
+  if (!solver && solver.error().code != ErrorCode::kCancelled) return solver.error();
+  if (!solver) return Ok{};
+  run.solver = std::move(*solver);
+  warn_of_drift(*run.solver, session);
+  return Ok{};
+}
+
 Result<Run> run_method(const TriangleMesh& mesh, const CoarsenRequest& request,
                        CoarseningMethod method, Session& session) {
   Run run;
@@ -323,15 +337,13 @@ Result<Run> run_method(const TriangleMesh& mesh, const CoarsenRequest& request,
   if (!hierarchy) return hierarchy.error();
   run.hierarchy = std::move(*hierarchy);
   warn_of_angles(run, session);
-  run.statistics = measure(run.hierarchy, request.statistics);
-  if (method == CoarseningMethod::kRefinement && request.statistics != Statistics::kNone)
+  // At a limit there is no time left but for the levels themselves.
+  const Statistics detail = run.hierarchy.complete ? request.statistics : Statistics::kNone;
+  run.statistics = measure(run.hierarchy, detail, session.progress());
+  if (method == CoarseningMethod::kRefinement && detail != Statistics::kNone)
     run.selection = check_selections(run.hierarchy, run.options.beta);
-  if (request.for_solver) {
-    auto solver = prepare_for_solver(run.hierarchy);
-    if (!solver) return solver.error();
-    run.solver = std::move(*solver);
-    warn_of_drift(*run.solver, session);
-  }
+  if (request.for_solver && run.hierarchy.complete)
+    if (Status status = prepare_for_solver(session, run); !status) return status.error();
   return run;
 }
 
@@ -526,8 +538,11 @@ Result<int> run_coarsen(Arguments& arguments, Session& session) {
     return Error{ErrorCode::kUsage, "coarsen: " + status.error().message, {}};
   if (session.options().output == "-")
     return Error{ErrorCode::kUsage, "coarsen: -o names a directory, not the standard output", {}};
+  const Stopwatch reading;
   const auto geometry = read_mesh(arguments.operands()[0], session.reading());
   if (!geometry) return geometry.error();
+  if (!session.options().output.empty())  // to write the levels takes about as long
+    session.leave_time_to_write(reading.elapsed().wall);
   for (const std::string& note : geometry->notes) session.note(note);
   if (const auto path = arguments.value("--fixed")) {
     auto fixed = read_fixed_points(*path, geometry->mesh.points.size());

@@ -29,7 +29,8 @@ Result<int> run_convert(Arguments& arguments, Session& session) {
   auto geometry = read_geometry(source, session.reading());
   if (!geometry) return geometry.error();
   if (!geometry->mesh.triangles.empty())
-    if (Status status = prepare_geometry(*geometry, display_name(source)); !status)
+    if (Status status = prepare_geometry(*geometry, display_name(source), session.progress());
+        !status)
       return status.error();
   for (const std::string& note : geometry->notes) session.note(note);
   const Status written =

@@ -190,6 +190,8 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   const auto input = read_geometry(path, session.reading(Siblings::kIgnored));
   if (!input) return input.error();
   run.read = reading.elapsed();
+  if (!session.options().output.empty())  // to write a mesh takes about a sixth of packing it
+    session.leave_time_to_write(session.options().time_limit.value_or(0) / 6);
   if (input->dimension == 3) return mesh_in_space(path, *input, run.read, arguments, session);
   for (const char* name : {"--flatness", "--report"})
     if (arguments.has(name)) arguments.refuse(name, "is for domains in space");

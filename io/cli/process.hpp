@@ -19,6 +19,19 @@ void break_off_reads_after(double seconds);
 /// No longer.
 void let_reads_block();
 
+/// How a process ends that is out of time.
+struct LastWords {
+  std::string_view text;  ///< for the standard error; lives as long as the process
+  int exit_code = 0;
+};
+
+/// Ends the process in `seconds`, whatever it does then, unless it is protected: so that a limit is
+/// kept even where it is not asked for in time.
+/// Requires: break_off_reads_after() fewer seconds than these; let_reads_block() calls it off.
+void end_process_after(double seconds, LastWords words);
+/// From now on it must not be cut off: files that are half written would stay.
+void protect_process();
+
 /// Lets allocations fail beyond `bytes`, where the system can.
 void limit_memory(std::uint64_t bytes);
 

@@ -13,6 +13,9 @@ namespace wellspaced::cli {
 namespace {
 
 constexpr std::size_t kHelpColumn = 28;
+constexpr const char* kExitCodes =
+    "Exit codes: 0 ok, 1 the audit found a violation, 2 usage, 3 unreadable input,\n"
+    "4 invalid geometry, 5 a limit was hit, 6 internal error.\n";
 
 std::string padded(std::string text) {
   if (text.size() < kHelpColumn) return text + std::string(kHelpColumn - text.size(), ' ');
@@ -34,7 +37,7 @@ std::string help_of(const Command& command) {
                      std::string(command.operands) + " [options]\n" + std::string(command.summary) +
                      "\n";
   if (!command.options.empty()) text += "\noptions:\n" + help_of(command.options);
-  return text + "\ncommon options:\n" + help_of(common_options());
+  return text + "\ncommon options:\n" + help_of(common_options()) + '\n' + kExitCodes;
 }
 
 std::string help_of_program() {
@@ -46,9 +49,8 @@ std::string help_of_program() {
             std::string(command->summary) + '\n';
   return text +
          "\nwellspaced COMMAND --help lists the options of a command; --version prints the "
-         "version.\n"
-         "Exit codes: 0 ok, 1 the audit found a violation, 2 usage, 3 unreadable input,\n"
-         "4 invalid geometry, 5 a limit was hit, 6 internal error.\n";
+         "version.\n" +
+         kExitCodes;
 }
 
 const Command* find_command(std::string_view name) {

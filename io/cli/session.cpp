@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/process.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 
@@ -11,6 +12,12 @@ namespace {
 
 constexpr auto kDrawInterval = std::chrono::milliseconds(100);
 constexpr double kMegabyte = 1e6;
+
+// What does not ask for the time limit in time is ended by force, after this part of it.
+constexpr double kForce = 1.07;
+constexpr LastWords kOutOfTime = {
+    "wellspaced: the time limit was reached; nothing was written; raise --time-limit\n",
+    kExitLimit};
 
 // Stop a little before the limit that the operating system enforces, while there is room to end
 // in good order.
@@ -54,10 +61,22 @@ Session::Session(CommonOptions options)
       start_(Clock::now()) {
   draws_ = !options_.quiet && standard_error_is_terminal();
   if (options_.max_memory) limit_memory(*options_.max_memory);
-  if (options_.time_limit) break_off_reads_after(*options_.time_limit);
+  if (!options_.time_limit) return;
+  break_off_reads_after(*options_.time_limit);
+  end_process_after(kForce * *options_.time_limit, kOutOfTime);
 }
 
 Session::~Session() { clear_bar(); }
+
+OutputSet& Session::outputs() {
+  protect_process();
+  return outputs_;
+}
+
+void Session::leave_time_to_write(double seconds) {
+  if (options_.time_limit)
+    time_to_write_ = std::min(seconds, std::max(0.0, (*options_.time_limit - elapsed()) / 2));
+}
 
 ReadOptions Session::reading(Siblings siblings) {
   return {.siblings = siblings, .largest = largest_input(), .progress = progress()};
@@ -72,6 +91,7 @@ Progress Session::progress() {
 bool Session::keep_going(std::string_view phase, std::uint64_t done, std::uint64_t total) {
   stopped_ = find_reason();
   phase_ = phase;
+  if (stopped_ && time_to_write_ > 0) protect_process();  // it was asked in time
   if (stopped_) return false;
   if (draws_ && Clock::now() - last_drawn_ >= kDrawInterval) draw_bar(phase, done, total);
   return true;
@@ -85,11 +105,15 @@ bool Session::keep_writing(std::uint64_t done) {
 
 std::optional<StopReason> Session::find_reason() const {
   if (interrupted()) return StopReason::kInterrupted;
-  const std::chrono::duration<double> elapsed = Clock::now() - start_;
-  if (options_.time_limit && elapsed.count() > *options_.time_limit) return StopReason::kTimeLimit;
+  if (options_.time_limit && elapsed() > *options_.time_limit - time_to_write_)
+    return StopReason::kTimeLimit;
   if (options_.max_memory && resident_bytes() > soft_limit(*options_.max_memory))
     return StopReason::kMemoryLimit;
   return {};
+}
+
+double Session::elapsed() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
 void Session::draw_bar(std::string_view phase, std::uint64_t done, std::uint64_t total) {
@@ -106,7 +130,7 @@ void Session::clear_bar() {
 
 Status Session::write_json(const JsonWriter& json) {
   if (!wants_json()) return Ok{};
-  return outputs_.add(options_.json, [&](TextWriter& out) { out << json.text() << '\n'; });
+  return outputs().add(options_.json, [&](TextWriter& out) { out << json.text() << '\n'; });
 }
 
 void Session::note(std::string_view text) {
@@ -120,7 +144,7 @@ Status Session::finish() {
   if (interrupted()) return explain({ErrorCode::kCancelled, "", {}});
   let_reads_block();  // and writes
   if (!options_.quiet && !report_.empty() && !outputs_.uses_standard_output())
-    if (Status status = outputs_.add("-", [&](TextWriter& out) { out << report_; }); !status)
+    if (Status status = outputs().add("-", [&](TextWriter& out) { out << report_; }); !status)
       return status;
   return outputs_.commit();
 }

@@ -46,7 +46,8 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   const CommonOptions& options() const { return options_; }
-  OutputSet& outputs() { return outputs_; }
+  /// Whoever asks for it is about to write: from then on a time limit lets that come to its end.
+  OutputSet& outputs();
   /// How many bytes of one file may be read.
   std::uint64_t largest_input() const { return options_.max_memory.value_or(kLargestInput); }
   /// How to read a file: within that limit, and with this session's progress.
@@ -65,6 +66,9 @@ class Session {
   /// Tells the user something in passing, on the standard error: unless --quiet.
   void note(std::string_view text);
 
+  /// For commands that write what is finished at a limit: stops them `seconds` before the time
+  /// limit, or halfway to it if that is later.
+  void leave_time_to_write(double seconds);
   /// From now on says this of a command that is cut off, in place of "nothing was written".
   void say_what_stays(std::string outcome) { outcome_ = std::move(outcome); }
 
@@ -77,6 +81,7 @@ class Session {
   bool keep_going(std::string_view phase, std::uint64_t done, std::uint64_t total);
   bool keep_writing(std::uint64_t done);
   std::optional<StopReason> find_reason() const;
+  double elapsed() const;
   void draw_bar(std::string_view phase, std::uint64_t done, std::uint64_t total);
   void clear_bar();
 
@@ -86,6 +91,7 @@ class Session {
   std::string report_;
   std::string outcome_ = "nothing was written";
   Clock::time_point start_;
+  double time_to_write_ = 0;  // seconds
   Clock::time_point last_drawn_;
   bool draws_ = false;
   bool bar_shows_ = false;

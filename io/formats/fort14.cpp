@@ -29,6 +29,7 @@ class Fort14Parser {
   void add_chain(const std::vector<Index>& nodes, int marker);
   Index read_node() { return scanner_.point(geometry_.mesh.points.size(), 1); }
   void note_degrees();
+  void note_barriers();
 
   Scanner scanner_;
   Geometry geometry_;
@@ -128,6 +129,13 @@ void Fort14Parser::note_degrees() {
                               "angles mean little unless they are projected");
 }
 
+void Fort14Parser::note_barriers() {
+  if (std::any_of(land_types_.begin(), land_types_.end(), is_barrier_type))
+    geometry_.notes.push_back(scanner_.file() +
+                              ": the nodes of barriers (types 4, 5, 24, 25) come in pairs, which "
+                              "coarsening tears apart unless --fixed names them");
+}
+
 Result<Geometry> Fort14Parser::parse() {
   geometry_.index_base = 1;
   scanner_.next_line_or_empty();  // the title
@@ -140,6 +148,7 @@ Result<Geometry> Fort14Parser::parse() {
   if (scanner_.ok()) read_land_boundaries();
   if (!scanner_.ok()) return scanner_.error();
   note_degrees();
+  note_barriers();
   return std::move(geometry_);
 }
 

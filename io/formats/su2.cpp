@@ -32,6 +32,7 @@ class Su2Parser {
   void read_dimension();
   void read_elements();
   void read_points();
+  void begin_boundary(std::string_view tag);
   void read_boundary();
   void read_element(int marker);
   template <std::size_t kCorners>
@@ -43,6 +44,7 @@ class Su2Parser {
   std::int64_t dimension_ = 0;
   MarkerNumbering boundaries_{geometry_, 1};
   int boundary_ = 0;
+  bool is_between_parts_ = false;
 };
 
 template <std::size_t kCorners>
@@ -93,8 +95,15 @@ void Su2Parser::read_points() {
   }
 }
 
+void Su2Parser::begin_boundary(std::string_view tag) {
+  boundary_ = boundaries_.marker_of(tag);
+  is_between_parts_ = tag == "SEND_RECEIVE";
+}
+
+// Between the parts of a divided mesh stand vertices, and before them who gets them.
 void Su2Parser::read_boundary() {
   const Index count = scanner_.count("boundary elements", 2);
+  if (is_between_parts_) scanner_.require_line("SEND_TO");
   for (Index i = 0; i < count && scanner_.next_record(count, "boundary elements"); ++i)
     read_element(boundary_);
 }
@@ -104,7 +113,7 @@ void Su2Parser::read_statement() {
   if (keyword == "NDIME") read_dimension();
   if (keyword == "NELEM") read_elements();
   if (keyword == "NPOIN") read_points();
-  if (keyword == "MARKER_TAG") boundary_ = boundaries_.marker_of(scanner_.rest_of_line());
+  if (keyword == "MARKER_TAG") begin_boundary(scanner_.rest_of_line());
   if (keyword == "MARKER_ELEMS") read_boundary();
   if (keyword == "NZONE" && scanner_.integer("number of zones") != 1)
     scanner_.fail(ErrorCode::kUnreadable, "several zones are not understood");

@@ -273,6 +273,8 @@ TEST(ParseFort14, ReadsDepthsAndBoundaries) {
             (std::vector<Segment>{{0, 1, 1}, {1, 2, 2}, {2, 3, 2}, {0, 1, 26}, {3, 2, 26}}));
   EXPECT_EQ(g.marker_names,
             (std::vector<MarkerName>{{1, 1, "open"}, {1, 2, "land 0"}, {1, 26, "land 24"}}));
+  ASSERT_EQ(g.notes.size(), 1u);
+  EXPECT_NE(g.notes[0].find("come in pairs"), std::string::npos) << g.notes[0];
   EXPECT_TRUE(recognise_fort14(kFort14));
 }
 

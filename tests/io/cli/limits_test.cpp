@@ -1,0 +1,89 @@
+// --time-limit and --max-memory are kept by every command, whatever it is doing.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.hpp"
+
+namespace wellspaced {
+namespace {
+
+using test::ProgramRun;
+using test::run_program;
+using test::TemporaryDirectory;
+
+constexpr double kLimit = 0.2;  // seconds
+constexpr double kSlack = 0.5;  // until a busy machine starts a process and notices its end
+
+struct TimedRun {
+  ProgramRun run;
+  double seconds;
+};
+
+TimedRun run_within_limit(std::vector<std::string> words) {
+  words.insert(words.end(), {"--time-limit", std::to_string(kLimit), "--quiet"});
+  const auto start = std::chrono::steady_clock::now();
+  ProgramRun run = run_program(words);
+  return {std::move(run),
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
+class Limits : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    grid_ = directory_ / "grid";
+    ASSERT_EQ(
+        run_program({"generate", "grid", "--nx", "400", "--ny", "400", "-o", grid_}).exit_code, 0);
+    square_ = directory_.write("square.poly",
+                               "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n"
+                               "4 4 1\n0\n");
+    std::filesystem::create_directory(directory_ / "out");
+  }
+
+  // Ends in time; where it is cut off, it says so, and leaves nothing half written.
+  void expect_in_time(const std::vector<std::string>& words) {
+    const auto [run, seconds] = run_within_limit(words);
+    EXPECT_LT(seconds, 1.1 * kLimit + kSlack) << words[0];
+    EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 5) << run.err;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(directory_.path()))
+      EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
+  }
+
+  TemporaryDirectory directory_;
+  std::string grid_, square_;
+};
+
+TEST_F(Limits, OfTimeAreKeptByEveryCommand) {
+  expect_in_time({"generate", "random", "--nodes", "5000000", "-o", directory_ / "out/a.node"});
+  expect_in_time({"triangulate", grid_ + ".node", "-o", directory_ / "out/b"});
+  expect_in_time({"mesh", square_, "--size", "0.001"});
+  expect_in_time({"coarsen", grid_, "--stats", "full"});
+  expect_in_time({"coarsen", grid_, "--method", "threshold"});
+  expect_in_time({"audit", grid_});
+  expect_in_time({"audit", grid_, "--spacing", "nn"});
+  expect_in_time({"convert", grid_, directory_ / "out/c.vtu"});
+  expect_in_time({"reproduce", "table-8.3", "-o", directory_ / "out/chapter"});
+}
+
+TEST_F(Limits, OfTimeThatPassInReadingAreNamed) {
+  const ProgramRun run = run_program({"coarsen", grid_, "--time-limit", "1e-6"});
+  EXPECT_EQ(run.exit_code, 5);
+  EXPECT_NE(run.err.find("the time limit was reached"), run.err.npos) << run.err;
+  EXPECT_NE(run.err.find("raise --time-limit"), run.err.npos) << run.err;
+}
+
+TEST_F(Limits, OfMemoryEndInGoodOrder) {
+  for (const char* megabytes : {"10", "20", "40", "60"}) {
+    const ProgramRun run = run_program(
+        {"coarsen", grid_, "-o", directory_ / "out/levels", "--max-memory", megabytes, "--quiet"});
+    EXPECT_TRUE(run.exit_code == 5) << megabytes << run.exit_code << run.err;
+    EXPECT_NE(run.err.find("--max-memory"), run.err.npos) << run.err;
+    EXPECT_TRUE(std::filesystem::is_empty(directory_ / "out"));
+  }
+}
+
+}  // namespace
+}  // namespace wellspaced
