@@ -1,8 +1,8 @@
 #include "wellspaced/io/report/audit_report.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "wellspaced/io/text/text_writer.hpp"
@@ -119,8 +119,8 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string six_digits(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
+  return {text, end.ptr};
 }
 
 std::string level_prefix(std::optional<Index> level) {
