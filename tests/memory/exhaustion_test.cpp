@@ -37,6 +37,7 @@ struct Operation {
   std::function<bool()> run;
   std::function<void()> before = [] {};
   std::function<void(bool succeeded)> after = [](bool) {};
+  std::uint64_t stride = 1;  // 1: each allocation is failed; 2: each second one; ...
 };
 
 bool run(const Operation& operation, std::uint64_t which, Failure failure) {
@@ -56,7 +57,7 @@ std::uint64_t fail_each(Failure failure, const Operation& operation) {
   operation.before();
   EXPECT_TRUE(operation.run()) << "with all the memory it wants";  // fills what stays for ever
   operation.after(true);
-  for (std::uint64_t which = 1; which < kMostAllocations; ++which) {
+  for (std::uint64_t which = 1; which < kMostAllocations; which += operation.stride) {
     if (!run(operation, which, failure)) return which - 1;
     if (::testing::Test::HasFailure()) return 0;
   }
@@ -197,7 +198,8 @@ class Silence {
 
 // Runs the program without memory; expects exit code 5 and no new file in `directory`.
 void expect_program_survives(const TemporaryDirectory& directory,
-                             const std::vector<std::string>& words, std::uint64_t least) {
+                             const std::vector<std::string>& words, std::uint64_t least,
+                             std::uint64_t stride = 1) {
   const Silence silence;
   const std::size_t files = directory.count_files();
   const std::string out = directory / "out";
@@ -212,7 +214,8 @@ void expect_program_survives(const TemporaryDirectory& directory,
   };
   expect_clean_failures({.run = [&] { return (code = cli::run_program(words)) == 0; },
                          .before = clear,
-                         .after = check},
+                         .after = check,
+                         .stride = stride},
                         least);
   EXPECT_EQ(directory.count_files(), files + 1);
   std::filesystem::remove_all(out);
@@ -225,6 +228,10 @@ class ProgramExhaustion : public ::testing::Test {
         "square.poly",
         "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 5\n2 2 3 6\n3 3 4 7\n4 4 1 8\n0\n");
     directory_.write("tet.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n.2 .2 .2\n");
+    directory_.write("signs", "0 0 0 1 0 0 0 1 0 0 0 1 1 1 1\n0 0 0 1 0 0 0 1 0 0 0 1 2 1 1\n");
+    directory_.write("cube.off",
+                     "OFF\n8 6 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+                     "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n");
     ASSERT_EQ(cli::run_program(std::vector<std::string>{"generate", "grid", "--nx", "4", "--ny",
                                                         "4", "-o", directory_ / "grid", "--quiet"}),
               0);
@@ -252,6 +259,27 @@ TEST_F(ProgramExhaustion, GeneratesMeshesAndConverts) {
                           {"convert", directory_ / "grid.ele", directory_ / "out/a.mesh"}, 50);
 }
 
+// Too many allocations to fail each of them: each 97th.
+TEST_F(ProgramExhaustion, MeshesInSpace) {
+  expect_program_survives(directory_,
+                          {"mesh", directory_ / "cube.off", "-o", directory_ / "out/a.vtu",
+                           "--quiet", "--json", directory_ / "out/json"},
+                          1000, 97);
+}
+
+TEST_F(ProgramExhaustion, DecidesPredicates) {
+  expect_program_survives(
+      directory_, {"predicate", "insphere", directory_ / "signs", "-o", directory_ / "out/signs"},
+      5);
+}
+
+TEST_F(ProgramExhaustion, Reproduces) {
+  expect_program_survives(directory_,
+                          {"reproduce", "table-8.3", "--scale", "0.004", "--runs", "1", "--quiet",
+                           "--json", directory_ / "out/json"},
+                          500, 7);
+}
+
 TEST_F(ProgramExhaustion, CoarsensWithTransfersAndReport) {
   expect_program_survives(directory_,
                           {"coarsen", directory_ / "grid.ele", "-o", directory_ / "out/levels",
@@ -264,10 +292,24 @@ TEST_F(ProgramExhaustion, CoarsensWithTransfersAndReport) {
                             100);
 }
 
+TEST_F(ProgramExhaustion, WritesReports) {
+  expect_program_survives(directory_,
+                          {"coarsen", directory_ / "grid.ele", "--levels", "1", "--method",
+                           "function", "--quiet", "--report", directory_ / "out/report.html"},
+                          200);
+}
+
 TEST_F(ProgramExhaustion, Audits) {
   expect_program_survives(
       directory_, {"audit", directory_ / "grid.ele", "--quiet", "--json", directory_ / "out/json"},
       100);
+  ASSERT_EQ(
+      cli::run_program(std::vector<std::string>{"coarsen", directory_ / "grid.ele", "--levels", "1",
+                                                "-o", directory_ / "levels", "--quiet"}),
+      0);
+  expect_program_survives(
+      directory_, {"audit", directory_ / "levels", "--quiet", "--json", directory_ / "out/json"},
+      200);
 }
 
 }  // namespace
