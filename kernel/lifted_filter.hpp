@@ -7,6 +7,7 @@
 // As in predicate_filter.hpp.
 #if defined(__clang__) && !defined(__wasm__)
 #pragma float_control(precise, on, push)
+#pragma clang fp contract(off)  // which the line above switches on
 #endif
 
 namespace wellspaced::predicate_filter {
