@@ -152,8 +152,7 @@ Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest
       contract_and_repair(boundary, points, selection, request.areas);
   const std::size_t reinstated = selection.selected().size() - chosen;
   const ProtectiveZone zone = zone_of(options);
-  if (options.count_work)
-    work.edge_protection = inspect_edges(search, points, contracted.edges());
+  if (options.count_work) work.edge_protection = inspect_edges(search, points, contracted.edges());
   protect_edges(search, points, contracted.edges(), boundary.on_boundary, zone, selection);
 
   if (!tell("select")) return cancelled();

@@ -11,8 +11,8 @@ namespace wellspaced {
 
 /// Appends the members of the JSON object of `audit --json`: "verdict", "checks", "measures",
 /// "histograms", "worst", and "witnesses" and "theorems" where there are any. "first" holds the ids
-/// of the first ten violations, as many ids for each as its item takes. Measures and witnesses of the
-/// levels of a hierarchy stand in "levels", level by level.
+/// of the first ten violations, as many ids for each as its item takes. Measures and witnesses of
+/// the levels of a hierarchy stand in "levels", level by level.
 void append_audit_json(JsonWriter& json, const audit::Report& report);
 
 /// A table for people: the verdict, the checks, the measures. Of the levels of a hierarchy it shows
