@@ -174,7 +174,9 @@ TEST(QuadtreeSequence, ReturnsTheCoarseLevelsThatAreDoneWhenToldToStop) {
   for (int calls = 0; calls < 60; calls += 4) {
     CoarseningOptions options = quadtree_options();
     int left = calls;
-    options.progress = [&](std::string_view, std::uint64_t, std::uint64_t) { return left-- > 0; };
+    options.progress = [&](std::string_view phase, std::uint64_t, std::uint64_t) {
+      return phase == "prepare" || left-- > 0;
+    };
     const auto part = coarsen(mesh, options);
     ASSERT_TRUE(part.ok());
     EXPECT_EQ(part->complete, left >= 0);

@@ -114,8 +114,8 @@ TEST(CoarsenByRefinement, StopsWhenCancelledWithWholeLevels) {
   for (int last : {0, 1, 2, 3, 5, 8, 13, 40}) {
     CoarseningOptions options = towards({500, 150, 50});
     int calls = 0;
-    options.progress = [&](std::string_view, std::uint64_t, std::uint64_t) {
-      return calls++ < last;
+    options.progress = [&](std::string_view phase, std::uint64_t, std::uint64_t) {
+      return phase == "prepare" || calls++ < last;
     };
     const auto hierarchy = coarsen(mesh, options);
     ASSERT_TRUE(hierarchy.ok());
