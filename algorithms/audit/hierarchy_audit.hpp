@@ -80,8 +80,8 @@ struct HierarchyAuditOptions {
 /// Where well-spacing is measured, what audit_spacing() finds about the levels from 1 on, with its
 /// witnesses, in the Euclidean metric.
 /// Theorems, for each pair of levels: 5.1.7, local similarity bounds the intersections; 7.1.4, the
-///   graph metric changes coarsening functions by at most the dilation. For each level whose
-///   well-spacing is measured those of compare_with_theorems().
+///   graph metric changes coarsening functions by at most the dilation, compared at some 4096 nodes
+///   at most. For each level whose well-spacing is measured those of compare_with_theorems().
 /// Cost: that of audit_mesh on all levels, of count_intersections and of graph_spacing_violations.
 /// See: Definitions 5.1.1 to 5.1.8; ERRATA "For the auditor".
 Report audit_hierarchy(std::span<const HierarchyLevel> levels,

@@ -44,7 +44,7 @@ class Delaunay2 {
   /// order of insertion, which depends on the points and their numbers alone.
   /// Errors: kInvalidGeometry for a NaN or infinite coordinate (ids: the points); kLimit beyond
   /// 2^28 points; kCancelled.
-  /// Cost: O(n log n) expected time for every input; 72 bytes a point kept and about 75 at the
+  /// Cost: O(n log n) expected time for every input; 72 bytes a point kept and about 77 at the
   /// peak.
   static Result<Delaunay2> build(std::span<const Point2> points, const Options& options);
   static Result<Delaunay2> build(std::span<const Point2> points) {
