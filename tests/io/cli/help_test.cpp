@@ -62,10 +62,14 @@ struct CommandSources {
   std::vector<std::string> files;
 };
 const std::vector<CommandSources> kCommandSources = {
-    {"generate", {"generate.cpp"}},   {"triangulate", {"triangulate.cpp"}},
-    {"predicate", {"predicate.cpp"}}, {"mesh", {"mesh.cpp", "mesh_size.cpp", "mesh_space.cpp"}},
-    {"coarsen", {"coarsen.cpp"}},     {"audit", {"audit.cpp"}},
-    {"reproduce", {"reproduce.cpp"}}, {"convert", {"convert.cpp"}},
+    {"generate", {"generate.cpp"}},
+    {"triangulate", {"triangulate.cpp"}},
+    {"predicate", {"predicate.cpp"}},
+    {"mesh", {"mesh.cpp", "mesh_size.cpp", "mesh_space.cpp"}},
+    {"coarsen", {"coarsen.cpp", "coarsen_request.cpp"}},
+    {"audit", {"audit.cpp"}},
+    {"reproduce", {"reproduce.cpp"}},
+    {"convert", {"convert.cpp"}},
 };
 
 TEST(Help, KnowsEveryCommand) {
