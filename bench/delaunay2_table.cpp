@@ -259,23 +259,12 @@ bool have_same_triangles(const Triangulation2& a, const Triangulation2& b) {
   return true;
 }
 
-// The wall time of two threads as a ratio to that of one: medians of interleaved runs. It says
-// nothing while other programs use the cores.
 void print_threads(const std::vector<Point2>& points, int runs) {
-  std::vector<double> seconds[2];
-  Delaunay2 dt[2];
-  for (int run = 0; run < runs; ++run) {
-    for (const unsigned threads : {1u, 2u}) {
-      dt[threads - 1] = {};
-      const double start = wall_seconds();
-      dt[threads - 1] = *Delaunay2::build(points, {.threads = threads});
-      seconds[threads - 1].push_back(wall_seconds() - start);
-    }
-  }
-  const double one = median(seconds[0]), two = median(seconds[1]);
-  const bool same = have_same_triangles(dt[0].topology(), dt[1].topology());
-  std::printf("two threads: %.3f s of wall time to %.3f s of one: %.2f, bytes %s\n", two, one,
-              two / one, same ? "the same" : "DIFFERENT");
+  print_two_threads(
+      runs, "", [&](unsigned threads) { return *Delaunay2::build(points, {.threads = threads}); },
+      [](const Delaunay2& a, const Delaunay2& b) {
+        return have_same_triangles(a.topology(), b.topology());
+      });
 }
 
 // The CPU time a point, the median of `runs` after one that does not count.

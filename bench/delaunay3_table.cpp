@@ -61,6 +61,15 @@ bool have_same_tets(const Triangulation3& a, const Triangulation3& b) {
   return true;
 }
 
+void print_threads(const Points& points, int runs) {
+  print_two_threads(
+      runs, " (reach 0.70)",
+      [&](unsigned threads) { return *Delaunay3::build(points, {.threads = threads}); },
+      [](const Delaunay3& a, const Delaunay3& b) {
+        return have_same_tets(a.topology(), b.topology());
+      });
+}
+
 struct Counts {
   std::size_t tets = 0, tied_facets = 0;
 };
@@ -149,25 +158,6 @@ void print_row(const Row& row, int runs, double bytes) {
     std::printf("         -");
   std::printf("  %s\n", times.verdict);
   std::fflush(stdout);
-}
-
-// The wall time of two threads as a ratio to that of one: medians of interleaved runs. It says
-// nothing while other programs use the cores.
-void print_threads(const Points& points, int runs) {
-  std::vector<double> seconds[2];
-  Delaunay3 dt[2];
-  for (int run = 0; run < runs; ++run) {
-    for (const unsigned threads : {1u, 2u}) {
-      dt[threads - 1] = {};
-      const double start = wall_seconds();
-      dt[threads - 1] = *Delaunay3::build(points, {.threads = threads});
-      seconds[threads - 1].push_back(wall_seconds() - start);
-    }
-  }
-  const double one = median(seconds[0]), two = median(seconds[1]);
-  const bool same = have_same_tets(dt[0].topology(), dt[1].topology());
-  std::printf("two threads: %.3f s of wall time to %.3f s of one: %.2f (reach 0.70), bytes %s\n",
-              two, one, two / one, same ? "the same" : "DIFFERENT");
 }
 
 }  // namespace

@@ -92,4 +92,25 @@ inline void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, -1);
 }
 
+/// Prints the wall time of two threads as a ratio to that of one: medians of interleaved runs. It
+/// says nothing while other programs use the cores.
+/// build(threads): what so many threads make. are_same(a, b): whether two of these are. reach: what
+/// is said of the ratio.
+template <class Build, class AreSame>
+void print_two_threads(int runs, const char* reach, Build&& build, AreSame&& are_same) {
+  std::vector<double> seconds[2];
+  decltype(build(1u)) made[2];
+  for (int run = 0; run < runs; ++run) {
+    for (const unsigned threads : {1u, 2u}) {
+      made[threads - 1] = {};
+      const double start = wall_seconds();
+      made[threads - 1] = build(threads);
+      seconds[threads - 1].push_back(wall_seconds() - start);
+    }
+  }
+  const double one = median(seconds[0]), two = median(seconds[1]);
+  std::printf("two threads: %.3f s of wall time to %.3f s of one: %.2f%s, bytes %s\n", two, one,
+              two / one, reach, are_same(made[0], made[1]) ? "the same" : "DIFFERENT");
+}
+
 }  // namespace wellspaced::bench

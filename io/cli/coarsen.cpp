@@ -87,8 +87,7 @@ Result<CoarsenRun> run_method(const TriangleMesh& mesh, const CoarsenRequest& re
                               CoarseningMethod method, Session& session) {
   CoarsenRun run;
   run.options = options_of(request, method);
-  reset_peak_resident();
-  const std::uint64_t before = resident_bytes();
+  const MemoryGauge memory;
   run.clock = PhaseClock();
   run.options.progress = [&](std::string_view phase, std::uint64_t done, std::uint64_t total) {
     run.clock.enter(phase);
@@ -96,8 +95,7 @@ Result<CoarsenRun> run_method(const TriangleMesh& mesh, const CoarsenRequest& re
   };
   auto hierarchy = coarsen(mesh, run.options);
   run.clock.stop();
-  const std::uint64_t peak = peak_resident_bytes();
-  run.peak_bytes = peak > before ? peak - before : 0;
+  run.peak_bytes = memory.peak();
   run.options.progress = {};
   if (!hierarchy) return hierarchy.error();
   run.hierarchy = std::move(*hierarchy);

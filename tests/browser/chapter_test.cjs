@@ -2,18 +2,11 @@
 'use strict';
 
 const assert = require('node:assert/strict');
-const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
-const os = require('node:os');
 const path = require('node:path');
 const {after, before, test} = require('node:test');
-const {chromium} = require('playwright-core');
+const browser = require('./browser.cjs');
 
-const kChromium = process.env.CHROMIUM ?? '/usr/bin/chromium';
-const kArguments = [
-  '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync',
-];
 const kPaperWidth = 695;  // of A4 without the margins of the style, in pixels of CSS
 const kSections = [
   'differences', 'figure-1.1', 'figure-1.2', 'figure-1.3', 'figure-1.4', 'figure-1.5', 'figure-5.4',
@@ -21,29 +14,19 @@ const kSections = [
   'table-8.6', 'table-8.7', 'table-8.8', 'figure-8.6', 'figure-8.7', 'figure-8.8', 'figure-8.9', 'drawings',
 ];
 
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'wellspaced-chapter-'));
 const originals = path.join(process.env.WELLSPACED_DATA ?? '', 'thesis');
 const has_originals = process.env.WELLSPACED_DATA && fs.existsSync(path.join(originals, 'airfoil1.node'));
 
-let browser, page;
-const complaints = [];
+let page;
 
 before(async () => {
   const data = has_originals ? ['--data', originals] : [];
-  execFileSync(process.env.WELLSPACED_PROGRAM,
-               ['reproduce', 'all', '--scale', '0.05', '--runs', '9', '--quiet', '-o', folder, ...data]);
-  browser = await chromium.launch({executablePath: kChromium, args: kArguments});
-  page = await browser.newPage({viewport: {width: 1280, height: 900}});
-  page.on('console', message => complaints.push(message.text()));
-  page.on('pageerror', error => complaints.push(error.message));
-  page.on('request', request => { if (!request.url().startsWith('file:')) complaints.push(request.url()); });
-  await page.goto('file://' + path.join(folder, 'index.html'));
+  browser.run('reproduce', 'all', '--scale', '0.05', '--runs', '9', '--quiet', '-o', browser.folder, ...data);
+  await browser.launch();
+  page = await browser.openPage('index.html');
 });
 
-after(async () => {
-  await browser?.close();
-  fs.rmSync(folder, {recursive: true});
-});
+after(browser.close);
 
 // The elements that are wider than what holds them.
 const tooWide = () => page.evaluate(() => [document.documentElement, ...document.querySelectorAll('.table, figure')]
@@ -103,4 +86,4 @@ test('lists each figure with a star, and none else', async () => {
   for (const reason of reasons) assert.ok(reason.length > 5);
 });
 
-test('loads nothing and complains of nothing', () => assert.deepEqual(complaints, []));
+test('loads nothing and complains of nothing', browser.expectNoComplaint);

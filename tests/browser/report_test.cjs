@@ -2,25 +2,14 @@
 'use strict';
 
 const assert = require('node:assert/strict');
-const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
-const os = require('node:os');
-const path = require('node:path');
 const {after, before, beforeEach, afterEach, test} = require('node:test');
-const {chromium} = require('playwright-core');
+const browser = require('./browser.cjs');
 
-const kChromium = process.env.CHROMIUM ?? '/usr/bin/chromium';
-const kArguments = [
-  '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync',
-];
+const {file, run} = browser;
 const kPanels = '.panels canvas';
 
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'wellspaced-browser-'));
-const file = name => path.join(folder, name);
-const run = (...words) => execFileSync(process.env.WELLSPACED_PROGRAM, words, {encoding: 'utf8'});
-
-let browser, page, complaints, runs;
+let page, runs;
 
 before(async () => {
   run('generate', 'airfoil', '--nodes', '16000', '-o', file('wing'));
@@ -29,36 +18,23 @@ before(async () => {
   run('coarsen', file('wing'), '--report', file('one.html'));
   run('generate', 'grid', '--nx', '30', '--ny', '20', '-o', file('grid'));
   run('coarsen', file('grid'), '--method', 'function,mis', '--stats', 'none', '--report', file('grid.html'));
-  browser = await chromium.launch({executablePath: kChromium, args: kArguments});
+  await browser.launch();
 });
 
-after(async () => {
-  await browser?.close();
-  fs.rmSync(folder, {recursive: true});
-});
+after(browser.close);
 
 beforeEach(async () => { await open('both.html'); });
 afterEach(async () => {
   await page.close();
-  assert.deepEqual(complaints, [], 'errors on the console, or requests to elsewhere');
+  browser.expectNoComplaint();
 });
 
-async function open(name, options = {}) {
+async function open(name, options) {
   await page?.close();
-  complaints = [];
-  page = await browser.newPage({viewport: {width: 1280, height: 900}, ...options});
-  page.on('console', message => { if (message.type() !== 'log') complaints.push(message.text()); });
-  page.on('pageerror', error => complaints.push(error.message));
-  page.on('request', request => {
-    if (!/^(file|blob|data):/.test(request.url())) complaints.push(request.url());
-  });
-  await page.goto('file://' + file(name));
-  await drawn();
+  page = await browser.openPage(name, options);
 }
 
-// Waits until the frame that was asked for has been drawn.
-const drawn = () => page.evaluate(() => new Promise(
-    done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 0)))));
+const drawn = () => browser.drawn(page);
 
 const captions = () => page.locator('.panels figcaption p').allTextContents();
 const pictures = () => page.locator(kPanels).evaluateAll(all => all.map(canvas => canvas.toDataURL()));

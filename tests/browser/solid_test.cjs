@@ -2,63 +2,39 @@
 'use strict';
 
 const assert = require('node:assert/strict');
-const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
-const os = require('node:os');
-const path = require('node:path');
 const {after, before, beforeEach, afterEach, test} = require('node:test');
-const {chromium} = require('playwright-core');
+const browser = require('./browser.cjs');
 
-const kChromium = process.env.CHROMIUM ?? '/usr/bin/chromium';
-const kArguments = [
-  '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync',
-];
+const {file, run} = browser;
 // A box of 2 x 1 x 1.
 const kBox = `8 3 0 0
 1 0 0 0\n2 2 0 0\n3 0 1 0\n4 2 1 0\n5 0 0 1\n6 2 0 1\n7 0 1 1\n8 2 1 1
 6 0\n4 1 2 4 3\n4 5 6 8 7\n4 1 2 6 5\n4 3 4 8 7\n4 1 3 7 5\n4 2 4 8 6\n0\n0\n`;
 
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'wellspaced-solid-'));
-const file = name => path.join(folder, name);
-
-let browser, page, complaints, counts;
+let page, counts;
 
 before(async () => {
   fs.writeFileSync(file('box.smesh'), kBox);
-  counts = JSON.parse(execFileSync(process.env.WELLSPACED_PROGRAM,
-      ['mesh', file('box.smesh'), '--report', file('box.html'), '--json', '-'], {encoding: 'utf8'}));
-  execFileSync(process.env.WELLSPACED_PROGRAM,
-      ['mesh', file('box.smesh'), '--beta', '36', '--report', file('fine.html')]);
-  browser = await chromium.launch({executablePath: kChromium, args: kArguments});
+  counts = JSON.parse(run('mesh', file('box.smesh'), '--report', file('box.html'), '--json', '-'));
+  run('mesh', file('box.smesh'), '--beta', '36', '--report', file('fine.html'));
+  await browser.launch();
 });
 
-after(async () => {
-  await browser?.close();
-  fs.rmSync(folder, {recursive: true});
-});
+after(browser.close);
 
 beforeEach(async () => { await open(); });
 afterEach(async () => {
   await page.close();
-  assert.deepEqual(complaints, [], 'errors on the console, or requests to elsewhere');
+  browser.expectNoComplaint();
 });
 
 async function open(name = 'box.html') {
   await page?.close();
-  complaints = [];
-  page = await browser.newPage({viewport: {width: 1280, height: 900}});
-  page.on('console', message => { if (message.type() !== 'log') complaints.push(message.text()); });
-  page.on('pageerror', error => complaints.push(error.message));
-  page.on('request', request => {
-    if (!/^(file|blob|data):/.test(request.url())) complaints.push(request.url());
-  });
-  await page.goto('file://' + file(name));
-  await drawn();
+  page = await browser.openPage(name);
 }
 
-const drawn = () => page.evaluate(() => new Promise(
-    done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 0)))));
+const drawn = () => browser.drawn(page);
 const picture = () => page.locator('#solid').evaluate(canvas => canvas.toDataURL());
 const facesShown = async () =>
     (await page.textContent('#shown')).match(/\d[\d,]*/g).map(text => Number(text.replace(',', '')));

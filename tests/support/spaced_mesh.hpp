@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "tests/support/mutation.hpp"
 #include "wellspaced/algorithms/audit/requirement.hpp"
 #include "wellspaced/algorithms/audit/vectors.hpp"
 #include "wellspaced/algorithms/audit/well_spaced.hpp"
@@ -63,6 +64,34 @@ audit::Report audit_claims(const SpacedMesh<Mesh>& spaced) {
     EXPECT_TRUE(audit::require(far, report).ok());
   }
   return report;
+}
+
+// What breaks a claim, in the plane and in space.
+template <class Mesh>
+struct ClaimBreakers {
+  using Plant = bool (*)(SpacedMesh<Mesh>&, Random&);
+  Plant break_beta, empty_a_ball, raise_a_value, push_to_the_boundary, swallow_a_node, lose_a_value;
+};
+
+// The faults, each with the checks that find it. optional: checks that clean inputs may fail.
+template <class Mesh>
+std::vector<Fault<SpacedMesh<Mesh>>> spacing_faults(const ClaimBreakers<Mesh>& plant,
+                                                    const Names& optional) {
+  return {{"node displaced to break beta by 1e-12",
+           plant.break_beta,
+           {"beta_spaced"},
+           {"far_from_boundary", "lipschitz", "well_spaced", "spheres_empty"}},
+          {"ball emptied", plant.empty_a_ball, {"bounded_gaps"}, {"beta_spaced", "spheres_empty"}},
+          {"value raised to break Lipschitz by 1e-12",
+           plant.raise_a_value,
+           {"lipschitz", "well_spaced"},
+           {"beta_spaced", "far_from_boundary"}},
+          {"node pushed to the boundary",
+           plant.push_to_the_boundary,
+           {"far_from_boundary"},
+           {"beta_spaced", "lipschitz", "well_spaced", "bounded_gaps", "spheres_empty"}},
+          {"sphere that swallows a node", plant.swallow_a_node, {"spheres_empty"}, {}},
+          {"value that is no spacing", plant.lose_a_value, {"spacing_positive"}, optional}};
 }
 
 }  // namespace wellspaced::test

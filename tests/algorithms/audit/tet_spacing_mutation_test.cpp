@@ -132,21 +132,9 @@ TEST(TetSpacingMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
   table.add_clean("box", test::claim(test::cubes(4, 3, 3, all)), 3);
   table.add_clean("random", test::claim(test::random_tet_mesh(80, 1)), 3);
   table.add_clean("few", test::claim(test::random_tet_mesh(30, 4)), 3);
-  table.run({{"node displaced to break beta by 1e-12",
-              break_beta,
-              {"beta_spaced"},
-              {"far_from_boundary", "lipschitz", "well_spaced", "spheres_empty"}},
-             {"ball emptied", empty_a_ball, {"bounded_gaps"}, {"beta_spaced", "spheres_empty"}},
-             {"value raised to break Lipschitz by 1e-12",
-              raise_a_value,
-              {"lipschitz", "well_spaced"},
-              {"beta_spaced", "far_from_boundary"}},
-             {"node pushed to the boundary",
-              push_to_the_boundary,
-              {"far_from_boundary"},
-              {"beta_spaced", "lipschitz", "well_spaced", "bounded_gaps", "spheres_empty"}},
-             {"sphere that swallows a node", swallow_a_node, {"spheres_empty"}, {}},
-             {"value that is no spacing", lose_a_value, {"spacing_positive"}, {}}},
+  table.run(test::spacing_faults<TetMesh>({break_beta, empty_a_ball, raise_a_value,
+                                           push_to_the_boundary, swallow_a_node, lose_a_value},
+                                          {}),
             3);
 }
 

@@ -425,21 +425,9 @@ TEST(SpacingMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
   test::MutationTest<Spaced> table(test::audit_claims<TriangleMesh>, {"spheres_empty"});
   for (const auto& [name, mesh] : test::clean_meshes())
     if (mesh.points.size() < 200) table.add_clean(name, test::claim(mesh), 5);
-  table.run({{"node displaced to break beta by 1e-12",
-              break_beta,
-              {"beta_spaced"},
-              {"far_from_boundary", "lipschitz", "well_spaced", "spheres_empty"}},
-             {"ball emptied", empty_a_ball, {"bounded_gaps"}, {"beta_spaced", "spheres_empty"}},
-             {"value raised to break Lipschitz by 1e-12",
-              raise_a_value,
-              {"lipschitz", "well_spaced"},
-              {"beta_spaced", "far_from_boundary"}},
-             {"node pushed to the boundary",
-              push_to_the_boundary,
-              {"far_from_boundary"},
-              {"beta_spaced", "lipschitz", "well_spaced", "bounded_gaps", "spheres_empty"}},
-             {"circle that swallows a node", swallow_a_node, {"spheres_empty"}, {}},
-             {"value that is no spacing", lose_a_value, {"spacing_positive"}, {"spheres_empty"}}},
+  table.run(test::spacing_faults<TriangleMesh>({break_beta, empty_a_ball, raise_a_value,
+                                                push_to_the_boundary, swallow_a_node, lose_a_value},
+                                               {"spheres_empty"}),
             10);
 }
 
