@@ -9,9 +9,10 @@
 
 namespace wellspaced {
 
-/// width, line_width: as in PictureOptions. from: the direction to the viewer, who is far away; z
-/// is upwards in the picture unless that is the direction. cut_normal, cut: what lies furthest
-/// along cut_normal is taken away, this share of the extent: 0
+/// width, line_width: as in PictureOptions.
+/// from: the direction to the viewer, who is far away; z is upwards in the picture unless that is
+///   the direction.
+/// cut_normal, cut: what lies furthest along cut_normal is taken away, this share of the extent: 0
 ///   leaves all, 1 nothing.
 struct CutAwayOptions {
   double width = 800;
@@ -30,8 +31,9 @@ struct SeenFace {
 
 /// The faces of what is left that look to the viewer, from back to front: tets are left whole,
 /// those whose middle is behind the plane. The order is that of the depths of circumcentres; in a
-/// Delaunay mesh no face then hides one that comes later, in others it seldom does. Requires:
-/// finite coordinates, indices in range. Degenerate: flat tets are not there. Cost: O(n log n).
+/// Delaunay mesh no face then hides one that comes later, in others it seldom does.
+/// Requires: finite coordinates, indices in range. Degenerate: flat tets are not there.
+/// Cost: O(n log n).
 std::vector<SeenFace> seen_faces(const TetMesh& mesh, const CutAwayOptions& options);
 
 /// Draws seen_faces() as shaded triangles with their edges, those of the cut in a warm colour.

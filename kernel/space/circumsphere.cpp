@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wellspaced/algorithms/packing/space/tet_sphere.hpp"
 #include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/space/circumsphere.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -42,7 +42,7 @@ bool RoomSearch3::corners_cover(const std::array<Index, 4>& corners) const {
   const auto& [a, b, c, d] = corners;
   const std::vector<double>& radius = packing_.radius;
   const double least = std::min({radius[a], radius[b], radius[c], radius[d]});
-  const Sphere sphere = tet_sphere(point(a), point(b), point(c), point(d));
+  const Sphere sphere = unchecked_circumsphere(point(a), point(b), point(c), point(d));
   return sphere.radius * (1 + packing_.slope) < 2 * least;
 }
 
@@ -85,7 +85,7 @@ void RoomSearch3::look_around(Index t, Point3 middle) {
       if (topology.is_ghost(u) || run_of_[u] == runs_) continue;
       run_of_[u] = runs_;
       const auto& [a, b, c, d] = topology.vertices(u);
-      const Sphere sphere = tet_sphere(point(a), point(b), point(c), point(d));
+      const Sphere sphere = unchecked_circumsphere(point(a), point(b), point(c), point(d));
       if (spheres_meet(sphere, {middle, reach})) tets_.push_back(u);
     }
   }

@@ -8,8 +8,8 @@
 #include "wellspaced/algorithms/packing/space/far_points.hpp"
 #include "wellspaced/algorithms/packing/space/room_search3.hpp"
 #include "wellspaced/algorithms/packing/space/surface_index.hpp"
-#include "wellspaced/algorithms/packing/space/tet_sphere.hpp"
 #include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/space/circumsphere.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
@@ -297,8 +297,8 @@ Status SolidPacking::drain() {
 // is too much; and no other vertex need be looked at where 2 r <= (1 - slope) R.
 Result<bool> SolidPacking::try_circumcentre(Index t) {
   const Tet& corners = topology().vertices(t);
-  const Sphere sphere =
-      tet_sphere(point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3]));
+  const Sphere sphere = unchecked_circumsphere(point(corners[0]), point(corners[1]),
+                                               point(corners[2]), point(corners[3]));
   double largest = 0;
   for (const Index v : corners) largest = std::max(largest, radius_[v]);
   if (!(largest < sphere.radius) || !std::isfinite(sphere.radius)) return false;
