@@ -101,10 +101,10 @@ template <class Point>
 std::vector<Index> reorder(std::span<const Point> points, std::span<const Index> given,
                            std::vector<Point>& reordered) {
   std::vector<Index> local(points.size());
-  reserve_large(reordered, points.size());
-  for (const Index v : given) {
-    local[v] = static_cast<Index>(reordered.size());
-    reordered.push_back(points[v]);
+  assign_large(reordered, points.size());
+  for (Index k = 0; k < given.size(); ++k) {
+    local[given[k]] = k;
+    reordered[k] = points[given[k]];
   }
   return local;
 }

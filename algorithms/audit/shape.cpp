@@ -16,11 +16,12 @@ namespace {
 // What parts the intervals from 2 to infinity.
 constexpr std::array<double, 9> kTriangleAspects = {2.5, 3, 4, 6, 10, 20, 50, 100, 1000};
 
-// What all measures are made of: scalar products at the corners, squared edges in ascending order
-// and twice the area.
+// What all measures are made of: scalar products at the corners, edges and their squares in
+// ascending order and twice the area.
 struct TriangleFigures {
   double max_product, min_product, middle_product;
   double short_sq, middle_sq, long_sq;
+  double short_edge, middle_edge, long_edge;
   double twice_area, inverse;  // infinite for a flat triangle
 
   TriangleFigures(Point2 a, Point2 b, Point2 c) {
@@ -36,6 +37,9 @@ struct TriangleFigures {
     sort3(squares);
     min_product = products[0], middle_product = products[1], max_product = products[2];
     short_sq = squares[0], middle_sq = squares[1], long_sq = squares[2];
+    short_edge = std::sqrt(short_sq);
+    middle_edge = std::sqrt(middle_sq);
+    long_edge = std::sqrt(long_sq);
   }
 
   // Without branches, which would be mispredicted.
@@ -45,16 +49,10 @@ struct TriangleFigures {
   }
 
   double cotangent(double product) const { return product * inverse; }
-  double circumradius() const {
-    return std::sqrt(short_sq) * std::sqrt(middle_sq) * std::sqrt(long_sq) * (inverse / 2);
-  }
+  double circumradius() const { return short_edge * middle_edge * long_edge * (inverse / 2); }
   // The smallest disc around an obtuse triangle has the longest edge for a diameter.
-  double containing_radius() const {
-    return min_product <= 0 ? std::sqrt(long_sq) / 2 : circumradius();
-  }
-  double inverse_inradius() const {
-    return (std::sqrt(short_sq) + std::sqrt(middle_sq) + std::sqrt(long_sq)) * inverse;
-  }
+  double containing_radius() const { return min_product <= 0 ? long_edge / 2 : circumradius(); }
+  double inverse_inradius() const { return (short_edge + middle_edge + long_edge) * inverse; }
   double radius_edge_sq() const { return (middle_sq * inverse) * (long_sq * inverse) / 4; }
   double edge_to_height() const { return long_sq * inverse; }
 };
