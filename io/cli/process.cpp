@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <utility>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -23,29 +24,70 @@ namespace {
 
 volatile std::sig_atomic_t interrupt_flag = 0;
 
+}  // namespace
+
+bool interrupted() { return interrupt_flag != 0; }
+
+namespace {
+
 #if WELLSPACED_POSIX
+constexpr double kReaction = 0.25;  // seconds that an interrupted process has to stop by itself
+constexpr suseconds_t kAskAgain = 10'000;  // microseconds
+
 timespec last_moment{};
 LastWords last_words;
-volatile std::sig_atomic_t ends_at_last_moment = 0;
+volatile std::sig_atomic_t has_last_moment = 0, has_last_words = 0;
 
-bool has_passed(timespec time) {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec > time.tv_sec || (now.tv_sec == time.tv_sec && now.tv_nsec >= time.tv_nsec);
+timespec moment_in(double seconds) {
+  timespec moment{};
+  clock_gettime(CLOCK_MONOTONIC, &moment);
+  const double since_second = 1e-9 * double(moment.tv_nsec) + std::min(seconds, 1e8);
+  const auto whole = static_cast<time_t>(since_second);
+  return {moment.tv_sec + whole, static_cast<long>(1e9 * (since_second - double(whole)))};
 }
 
-// A read that begins after the signal would block all the same: the alarm breaks it off, if need
-// be again and again.
-extern "C" void break_off_reads(int) {
-  if (interrupt_flag != 0) alarm(1);
-  if (ends_at_last_moment == 0 || !has_passed(last_moment)) return;
-  const auto ignored = write(STDERR_FILENO, last_words.text.data(), last_words.text.size());
+bool is_before(timespec a, timespec b) {
+  return a.tv_sec < b.tv_sec || (a.tv_sec == b.tv_sec && a.tv_nsec < b.tv_nsec);
+}
+
+// A read that begins after a signal would block all the same: so it comes again and again.
+void send_alarms_after(double seconds) {
+  const double latest = std::min(seconds, 1e8);
+  const auto whole = static_cast<time_t>(latest);
+  const auto micro = static_cast<suseconds_t>(1e6 * (latest - double(whole))) + 1;
+  const itimerval timer{{0, kAskAgain}, {whole, std::min<suseconds_t>(micro, 999'999)}};
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+// How long the system takes to take a process's memory back, about.
+double seconds_to_free() {
+#if defined(__APPLE__)
+  constexpr double kUnit = 1;
+#else
+  constexpr double kUnit = 1024;
+#endif
+  constexpr double kSecondsPerByte = 1.2e-10;
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return kSecondsPerByte * kUnit * static_cast<double>(usage.ru_maxrss);
+}
+
+// The handlers call what signal handlers may: system calls, and no memory is allocated.
+extern "C" void end_at_last_moment(int) {
+  if (has_last_moment == 0 || has_last_words == 0) return;
+  if (is_before(moment_in(seconds_to_free()), last_moment)) return;
+  if (!last_words.outputs->abandon()) return;  // the next alarm comes soon
+  const std::string& text = interrupted() ? last_words.interrupted : last_words.out_of_time;
+  const auto ignored = write(STDERR_FILENO, text.data(), text.size());
   static_cast<void>(ignored);
   _exit(last_words.exit_code);
 }
 extern "C" void set_interrupt_flag(int) {
   interrupt_flag = 1;
-  alarm(1);
+  const timespec moment = moment_in(kReaction);
+  if (has_last_moment == 0 || is_before(moment, last_moment)) last_moment = moment;
+  has_last_moment = 1;
+  send_alarms_after(0);
 }
 #else
 extern "C" void set_interrupt_flag(int) { interrupt_flag = 1; }
@@ -65,13 +107,12 @@ std::uint64_t status_bytes(const char* format) {
 
 }  // namespace
 
-bool interrupted() { return interrupt_flag != 0; }
-
 #if WELLSPACED_POSIX
 
 void catch_interrupts() {
   struct sigaction action {};  // without SA_RESTART: a blocked read returns
-  action.sa_handler = break_off_reads;
+  sigaddset(&action.sa_mask, SIGALRM);
+  action.sa_handler = end_at_last_moment;
   sigaction(SIGALRM, &action, nullptr);
   action.sa_handler = set_interrupt_flag;
   action.sa_flags = static_cast<int>(SA_RESETHAND);
@@ -81,28 +122,24 @@ void catch_interrupts() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void break_off_reads_after(double seconds) {
-  const auto whole = static_cast<time_t>(std::min(seconds, 1e8));
-  const auto micro = static_cast<suseconds_t>(1e6 * (std::min(seconds, 1e8) - double(whole))) + 1;
-  const itimerval timer{{0, 20000}, {whole, std::min<suseconds_t>(micro, 999999)}};
-  setitimer(ITIMER_REAL, &timer, nullptr);
+void set_last_words(LastWords words) {
+  has_last_words = 0;
+  last_words = std::move(words);
+  has_last_words = 1;
 }
 
-void end_process_after(double seconds, LastWords words) {
-  clock_gettime(CLOCK_MONOTONIC, &last_moment);
-  const double since_second = 1e-9 * double(last_moment.tv_nsec) + std::min(seconds, 1e8);
-  const auto whole = static_cast<time_t>(since_second);
-  last_moment.tv_sec += whole;
-  last_moment.tv_nsec = static_cast<long>(1e9 * (since_second - double(whole)));
-  last_words = words;
-  ends_at_last_moment = 1;
+void set_deadline(double ask, double force) {
+  if (interrupted()) return;  // what comes then is sooner
+  has_last_moment = 0;
+  last_moment = moment_in(force);
+  has_last_moment = 1;
+  send_alarms_after(ask);
 }
 
-void protect_process() { ends_at_last_moment = 0; }
-
-void let_reads_block() {
+void call_off_deadline() {
   const itimerval none{};
   setitimer(ITIMER_REAL, &none, nullptr);
+  has_last_words = 0;
 }
 
 void limit_memory(std::uint64_t bytes) {
@@ -124,10 +161,9 @@ void catch_interrupts() {
   std::signal(SIGINT, set_interrupt_flag);
   std::signal(SIGTERM, set_interrupt_flag);
 }
-void break_off_reads_after(double) {}
-void end_process_after(double, LastWords) {}
-void protect_process() {}
-void let_reads_block() {}
+void set_last_words(LastWords) {}
+void set_deadline(double, double) {}
+void call_off_deadline() {}
 void limit_memory(std::uint64_t) {}
 bool standard_error_is_terminal() { return false; }
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

@@ -5,32 +5,33 @@
 #include <string>
 #include <string_view>
 
+#include "wellspaced/io/files/output_set.hpp"
+
 namespace wellspaced::cli {
 
-/// From now on the first Ctrl-C (SIGINT) or SIGTERM only sets the flag of interrupted(); a second
-/// one kills as usual. A write to a closed pipe, or beyond the largest size of a file, becomes an
-/// error.
+/// From now on the first Ctrl-C (SIGINT) or SIGTERM only sets the flag of interrupted(), and breaks
+/// off reads that block: they return errors; a second one kills as usual. A write to a closed pipe,
+/// or beyond the largest size of a file, becomes an error.
 void catch_interrupts();
 bool interrupted();
 
-/// Reads that block are broken off in `seconds`, and again and again after that: they return
-/// errors.
-void break_off_reads_after(double seconds);
-/// No longer.
-void let_reads_block();
-
-/// How a process ends that is out of time.
+/// How a process ends that does not stop in time when it is asked to: by force, whatever it does.
+/// out_of_time, interrupted: lines for the standard error, at the time limit and after Ctrl-C.
+/// outputs: abandoned first, so that nothing half-written stays; live until call_off_deadline().
 struct LastWords {
-  std::string_view text;  ///< for the standard error; lives as long as the process
+  std::string out_of_time, interrupted;
   int exit_code = 0;
+  OutputSet* outputs = nullptr;
 };
 
-/// Ends the process in `seconds`, whatever it does then, unless it is protected: so that a limit is
-/// kept even where it is not asked for in time.
-/// Requires: break_off_reads_after() fewer seconds than these; let_reads_block() calls it off.
-void end_process_after(double seconds, LastWords words);
-/// From now on it must not be cut off: files that are half written would stay.
-void protect_process();
+/// From now on the process ends by force some tenths of a second after Ctrl-C.
+/// Requires: no other thread sets or calls off at the same time; so for the next two.
+void set_last_words(LastWords words);
+/// In `ask` seconds, and again and again after that, reads that block are broken off; after that,
+/// in time to be gone in `force` seconds, the process ends by force. Requires: ask <= force.
+void set_deadline(double ask, double force);
+/// No longer: what the process does now, it may finish.
+void call_off_deadline();
 
 /// Lets allocations fail beyond `bytes`, where the system can.
 void limit_memory(std::uint64_t bytes);

@@ -29,6 +29,7 @@ LaboratoryOptions read_options(Arguments& arguments, Session& session) {
   options.directory = session.options().output;
   options.version = WELLSPACED_VERSION;
   options.progress = session.progress();
+  options.outputs = &session.outputs();
   return options;
 }
 
@@ -46,9 +47,10 @@ std::vector<const ExhibitKind*> find_exhibits(const std::string& name) {
 }
 
 // Each exhibit's files appear as soon as it is complete, and stay if the next one is interrupted.
-Status publish(const Exhibit& exhibit, const std::string& directory) {
+Status publish(const Exhibit& exhibit, Session& session) {
+  const std::string& directory = session.options().output;
   if (directory.empty()) return Ok{};
-  OutputSet outputs;
+  OutputSet& outputs = session.outputs();
   if (Status status = add_exhibit(outputs, directory, exhibit); !status) return status;
   return outputs.commit();
 }
@@ -59,7 +61,7 @@ Result<std::vector<Exhibit>> make_exhibits(std::span<const ExhibitKind* const> k
   for (const ExhibitKind* kind : kinds) {
     auto exhibit = make_exhibit(*kind, laboratory);
     if (!exhibit) return exhibit.error();
-    if (Status status = publish(*exhibit, session.options().output); !status) return status.error();
+    if (Status status = publish(*exhibit, session); !status) return status.error();
     exhibits.push_back(std::move(*exhibit));
   }
   return exhibits;
@@ -91,12 +93,10 @@ std::string chapter_text(std::span<const Exhibit> exhibits, const LaboratoryOpti
 }
 
 // The page of all exhibits, beside their files.
-Status write_page(std::span<const Exhibit> exhibits, const LaboratoryOptions& options) {
-  OutputSet outputs;
+Status write_page(std::span<const Exhibit> exhibits, const LaboratoryOptions& options,
+                  OutputSet& outputs) {
   const std::string html = chapter_html(page_of(exhibits, options));
-  const Status added =
-      outputs.add(options.directory + "/index.html", [&](TextWriter& out) { out << html; });
-  return added ? outputs.commit() : added;
+  return outputs.add(options.directory + "/index.html", [&](TextWriter& out) { out << html; });
 }
 
 Result<int> run_reproduce(Arguments& arguments, Session& session) {
@@ -119,7 +119,8 @@ Result<int> run_reproduce(Arguments& arguments, Session& session) {
   const auto exhibits = make_exhibits(kinds, laboratory, session);
   if (!exhibits) return exhibits.error();
   if (what == "all")
-    if (Status status = write_page(*exhibits, laboratory.options()); !status) return status.error();
+    if (Status status = write_page(*exhibits, laboratory.options(), session.outputs()); !status)
+      return status.error();
   session.print(what == "all" ? chapter_text(*exhibits, laboratory.options())
                               : exhibit_text(exhibits->front()));
   if (Status status = write_summary(*exhibits, session); !status) return status.error();

@@ -13,11 +13,8 @@ namespace {
 constexpr auto kDrawInterval = std::chrono::milliseconds(100);
 constexpr double kMegabyte = 1e6;
 
-// What does not ask for the time limit in time is ended by force, after this part of it.
-constexpr double kForce = 1.07;
-constexpr LastWords kOutOfTime = {
-    "wellspaced: the time limit was reached; nothing was written; raise --time-limit\n",
-    kExitLimit};
+// What does not stop in time is ended by force, to be gone after this part of its time limit.
+constexpr double kForce = 1.04;
 
 // Stop a little before the limit that the operating system enforces, while there is room to end
 // in good order.
@@ -61,21 +58,25 @@ Session::Session(CommonOptions options)
       start_(Clock::now()) {
   draws_ = !options_.quiet && standard_error_is_terminal();
   if (options_.max_memory) limit_memory(*options_.max_memory);
-  if (!options_.time_limit) return;
-  break_off_reads_after(*options_.time_limit);
-  end_process_after(kForce * *options_.time_limit, kOutOfTime);
+  say_what_stays("nothing was written");
+  if (options_.time_limit) set_deadline(*options_.time_limit, kForce * *options_.time_limit);
 }
 
-Session::~Session() { clear_bar(); }
+Session::~Session() {
+  call_off_deadline();
+  clear_bar();
+}
 
 OutputSet& Session::outputs() {
-  protect_process();
+  time_to_write_ = 0;
   return outputs_;
 }
 
-void Session::leave_time_to_write(double seconds) {
-  if (options_.time_limit)
-    time_to_write_ = std::min(seconds, std::max(0.0, (*options_.time_limit - elapsed()) / 2));
+void Session::say_what_stays(std::string outcome) {
+  outcome_ = std::move(outcome);
+  set_last_words({"wellspaced: " + sentence(StopReason::kTimeLimit, "") + '\n',
+                  "wellspaced: " + sentence(StopReason::kInterrupted, "") + '\n', kExitLimit,
+                  &outputs_});
 }
 
 ReadOptions Session::reading(Siblings siblings) {
@@ -91,7 +92,6 @@ Progress Session::progress() {
 bool Session::keep_going(std::string_view phase, std::uint64_t done, std::uint64_t total) {
   stopped_ = find_reason();
   phase_ = phase;
-  if (stopped_ && time_to_write_ > 0) protect_process();  // it was asked in time
   if (stopped_) return false;
   if (draws_ && Clock::now() - last_drawn_ >= kDrawInterval) draw_bar(phase, done, total);
   return true;
@@ -142,24 +142,33 @@ void Session::note(std::string_view text) {
 Status Session::finish() {
   clear_bar();
   if (interrupted()) return explain({ErrorCode::kCancelled, "", {}});
-  let_reads_block();  // and writes
+  call_off_deadline();  // all is there: it may appear
   if (!options_.quiet && !report_.empty() && !outputs_.uses_standard_output())
     if (Status status = outputs().add("-", [&](TextWriter& out) { out << report_; }); !status)
       return status;
   return outputs_.commit();
 }
 
+std::string Session::sentence(StopReason reason, std::string_view in_phase) const {
+  const std::string outcome = std::string(in_phase) + "; " + outcome_;
+  switch (reason) {
+    case StopReason::kInterrupted:
+      return "interrupted" + outcome;
+    case StopReason::kTimeLimit:
+      return "the time limit was reached" + outcome + "; raise --time-limit";
+    case StopReason::kMemoryLimit:
+      return "the memory limit was reached" + outcome + "; raise --max-memory";
+  }
+  return {};
+}
+
 Error Session::explain(Error error) const {
   const std::string in_phase = phase_.empty() ? "" : " while it did: " + phase_;
-  const std::string outcome = in_phase + "; " + outcome_;
-  if (interrupted()) return {ErrorCode::kCancelled, "interrupted" + outcome, {}};
+  if (interrupted())
+    return {ErrorCode::kCancelled, sentence(StopReason::kInterrupted, in_phase), {}};
   const auto reason = stopped_ ? stopped_ : find_reason();
   if (error.code != ErrorCode::kCancelled || !reason) return error;
-  const bool time = *reason == StopReason::kTimeLimit;
-  return {ErrorCode::kLimit,
-          (time ? "the time limit was reached" : "the memory limit was reached") + outcome +
-              (time ? "; raise --time-limit" : "; raise --max-memory"),
-          {}};
+  return {ErrorCode::kLimit, sentence(*reason, in_phase), {}};
 }
 
 }  // namespace wellspaced::cli

@@ -46,7 +46,7 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   const CommonOptions& options() const { return options_; }
-  /// Whoever asks for it is about to write: from then on a time limit lets that come to its end.
+  /// Whoever asks for it is about to write, and has the whole time limit for that.
   OutputSet& outputs();
   /// How many bytes of one file may be read.
   std::uint64_t largest_input() const { return options_.max_memory.value_or(kLargestInput); }
@@ -67,10 +67,10 @@ class Session {
   void note(std::string_view text);
 
   /// For commands that write what is finished at a limit: stops them `seconds` before the time
-  /// limit, or halfway to it if that is later.
-  void leave_time_to_write(double seconds);
+  /// limit.
+  void leave_time_to_write(double seconds) { time_to_write_ = seconds; }
   /// From now on says this of a command that is cut off, in place of "nothing was written".
-  void say_what_stays(std::string outcome) { outcome_ = std::move(outcome); }
+  void say_what_stays(std::string outcome);
 
   /// Publishes the outputs, then the report. Refuses after Ctrl-C.
   Status finish();
@@ -80,6 +80,7 @@ class Session {
  private:
   bool keep_going(std::string_view phase, std::uint64_t done, std::uint64_t total);
   bool keep_writing(std::uint64_t done);
+  std::string sentence(StopReason reason, std::string_view in_phase) const;
   std::optional<StopReason> find_reason() const;
   double elapsed() const;
   void draw_bar(std::string_view phase, std::uint64_t done, std::uint64_t total);

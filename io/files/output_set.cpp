@@ -17,6 +17,21 @@ struct OutputSet::Output {
   std::string text;
 };
 
+// While one lives, abandon() finds the files and their names as they may be found together.
+class OutputSet::Change {
+ public:
+  explicit Change(OutputSet& set) : set_(set) {
+    while (set_.changing_.test_and_set()) {
+    }
+  }
+  ~Change() { set_.changing_.clear(); }
+  Change(const Change&) = delete;
+  Change& operator=(const Change&) = delete;
+
+ private:
+  OutputSet& set_;
+};
+
 namespace {
 
 std::string describe(int error_number) { return std::generic_category().message(error_number); }
@@ -88,7 +103,16 @@ Status write_in_place(const std::string& path, std::string_view bytes) {
 }  // namespace
 
 OutputSet::OutputSet(Progress progress) : progress_(std::move(progress)) {}
-OutputSet::~OutputSet() { discard(); }
+OutputSet::~OutputSet() {
+  const Change change(*this);
+  remove_all();
+}
+
+bool OutputSet::abandon() {
+  if (changing_.test_and_set()) return false;
+  remove_all();
+  return true;
+}
 
 Status OutputSet::add(const std::string& path, const std::function<void(TextWriter&)>& write) {
   std::error_code error;
@@ -99,8 +123,12 @@ Status OutputSet::add(const std::string& path, const std::function<void(TextWrit
   output->target = path == "-" ? path : follow_links(path);
   for (const auto& other : outputs_)
     if (other->target == output->target) return cannot_create(path, "it is written already");
-  outputs_.push_back(std::move(output));
-  return stage(*outputs_.back(), write);
+  Output& staged = *output;
+  {
+    const Change change(*this);
+    outputs_.push_back(std::move(output));
+  }
+  return stage(staged, write);
 }
 
 Status OutputSet::stage(Output& output, const std::function<void(TextWriter&)>& write) {
@@ -111,7 +139,10 @@ Status OutputSet::stage(Output& output, const std::function<void(TextWriter&)>& 
     output.text = writer.text();
     return Ok{};
   }
-  Stream stream = open_beside(output.target, output.temporary);
+  Stream stream = [&] {
+    const Change change(*this);
+    return open_beside(output.target, output.temporary);
+  }();
   if (!stream) return cannot_create(output.path, describe(errno));
   TextWriter writer(stream.get(), progress_);
   write(writer);
@@ -129,6 +160,7 @@ Status OutputSet::make_directory(const std::string& path) {
   for (fs::path p = path; !p.empty() && !fs::exists(p, error); p = p.parent_path())
     missing.push_back(p.string());
   std::reverse(missing.begin(), missing.end());
+  const Change change(*this);
   for (const std::string& directory : missing) {
     new_directories_.push_back(directory);
     if (!fs::create_directory(directory, error)) new_directories_.pop_back();
@@ -147,6 +179,7 @@ Status OutputSet::commit() {
     if (!output->temporary.empty()) continue;
     if (Status status = write_in_place(output->path, output->text); !status) return status;
   }
+  const Change change(*this);
   for (const auto& output : outputs_) {
     if (output->temporary.empty()) continue;
     if (std::rename(output->temporary.c_str(), output->target.c_str()) != 0)
@@ -159,7 +192,7 @@ Status OutputSet::commit() {
 }
 
 // std::remove() and std::rename() need no memory: this works when it has run out.
-void OutputSet::discard() {
+void OutputSet::remove_all() {
   for (const auto& output : outputs_)
     if (!output->temporary.empty()) std::remove(output->temporary.c_str());
   for (auto directory = new_directories_.rbegin(); directory != new_directories_.rend();

@@ -1,6 +1,7 @@
 // Files that appear together or not at all.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -43,14 +44,22 @@ class OutputSet {
   /// Errors: kLimit if a write fails; kUsage if a file cannot be moved into place.
   Status commit();
 
+  /// For a signal handler that is about to end the process: removes what would remain of the set.
+  /// Returns false, and does nothing, while files are being opened, moved or removed: ask again.
+  /// After true the set is of no use any more: whoever touches it waits for ever.
+  /// Allocates nothing.
+  bool abandon();
+
  private:
   struct Output;
+  class Change;
   Status stage(Output& output, const std::function<void(TextWriter&)>& write);
-  void discard();
+  void remove_all();
 
   Progress progress_;
   std::vector<std::unique_ptr<Output>> outputs_;
   std::vector<std::string> new_directories_;  // parents first
+  std::atomic_flag changing_ = ATOMIC_FLAG_INIT;
 };
 
 }  // namespace wellspaced

@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/reproduce/run_files.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
 
@@ -31,8 +30,8 @@ CoarseningOptions options_of(const Experiment& experiment, const SuiteMesh& mesh
   return options;
 }
 
-Status keep_runs(const std::string& path, const std::string& text, const std::string& directory) {
-  OutputSet outputs;
+Status keep_runs(const std::string& path, const std::string& text, const std::string& directory,
+                 OutputSet& outputs) {
   if (Status status = outputs.make_directory(directory + "/runs"); !status) return status;
   if (Status status = outputs.add(path, [&](TextWriter& out) { out << text; }); !status)
     return status;
@@ -84,7 +83,8 @@ Result<std::span<const RunStatistics>> Laboratory::runs(const Experiment& experi
     if (!made) return made.error();
     kept = std::move(*made);
     if (!options_.directory.empty())
-      if (Status status = keep_runs(path, runs_json(parameters, *kept), options_.directory);
+      if (Status status =
+              keep_runs(path, runs_json(parameters, *kept), options_.directory, *options_.outputs);
           !status)
         return status.error();
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wellspaced/algorithms/coarsening/repeated_coarsening.hpp"
+#include "wellspaced/io/files/output_set.hpp"
 #include "wellspaced/io/reproduce/suite_mesh.hpp"
 #include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
@@ -17,6 +18,7 @@ namespace wellspaced {
 /// scale: of the grids, > 0: they have 1000 * scale nodes a side.
 /// data: the folder of the original meshes; empty: stand-ins are generated.
 /// directory: where runs are kept and looked for, in runs/; empty: nowhere.
+/// outputs: what writes there; needed with a directory, and empty whenever an experiment begins.
 /// version: of the program; what another version has kept is made anew.
 struct LaboratoryOptions {
   std::size_t runs = 30;
@@ -25,6 +27,7 @@ struct LaboratoryOptions {
   double scale = 1;
   std::string data = {}, directory = {}, version = {};
   Progress progress = {};
+  OutputSet* outputs = nullptr;
 };
 
 /// One line of the program of experiments. mesh: as published_sequence names them, and "grid20".

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/support/program.hpp"
@@ -58,6 +60,7 @@ class Limits : public ::testing::Test {
 
 TEST_F(Limits, OfTimeAreKeptByEveryCommand) {
   expect_in_time({"generate", "random", "--nodes", "5000000", "-o", directory_ / "out/a.node"});
+  expect_in_time({"generate", "box3", "--nodes", "5000000", "-o", directory_ / "out/a.vtu"});
   expect_in_time({"triangulate", grid_ + ".node", "-o", directory_ / "out/b"});
   expect_in_time({"mesh", square_, "--size", "0.001"});
   expect_in_time({"coarsen", grid_, "--stats", "full"});
@@ -66,6 +69,24 @@ TEST_F(Limits, OfTimeAreKeptByEveryCommand) {
   expect_in_time({"audit", grid_, "--spacing", "nn"});
   expect_in_time({"convert", grid_, directory_ / "out/c.vtu"});
   expect_in_time({"reproduce", "table-8.3", "-o", directory_ / "out/chapter"});
+}
+
+// In the middle of writing files of some hundred megabytes.
+TEST_F(Limits, CtrlCEndsWhateverIsDoneAndLeavesNothing) {
+  const TemporaryDirectory streams;
+  const pid_t child = test::start_program(
+      streams, {"generate", "random", "--nodes", "9000000", "-o", directory_ / "out/a.node"},
+      "/dev/null");
+  for (int i = 0; i < 10000 && !std::filesystem::exists(directory_ / "out/a.node.part0"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const auto start = std::chrono::steady_clock::now();
+  kill(child, SIGINT);
+  const ProgramRun run = test::wait_for_program(streams, child);
+  const std::chrono::duration<double> reaction = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(reaction.count(), 0.5 + kSlack);
+  EXPECT_EQ(run.exit_code, 5);
+  EXPECT_NE(run.err.find("interrupted"), run.err.npos) << run.err;
+  EXPECT_TRUE(std::filesystem::is_empty(directory_ / "out"));
 }
 
 TEST_F(Limits, OfTimeThatPassInReadingAreNamed) {

@@ -123,6 +123,23 @@ TEST(OutputSet, ReportsAFullDiskAndPublishesNothing) {
   EXPECT_FALSE(fs::exists(directory / "a"));
 }
 
+TEST(OutputSet, LeavesNothingWhenItIsAbandonedWhileItWrites) {
+  const TemporaryDirectory directory;
+  const std::string kept = directory.write("kept", "before");
+  static OutputSet* const outputs = new OutputSet;  // never destroyed, as when the process ends
+  ASSERT_TRUE(outputs->make_directory(directory / "new").ok());
+  ASSERT_TRUE(outputs->add(directory / "new/a", [](TextWriter& out) { out << "a"; }).ok());
+  bool abandoned = false;
+  const Status status = outputs->add(kept, [&](TextWriter& out) {
+    out << "after";
+    abandoned = outputs->abandon();
+  });
+  EXPECT_TRUE(abandoned);
+  EXPECT_FALSE(fs::exists(directory / "new"));
+  EXPECT_EQ(directory.count_files(), 1u);
+  EXPECT_EQ(test::read_bytes(kept), "before");
+}
+
 TEST(OutputSet, WritesDevicesInPlace) {
   if (!fs::exists("/dev/null")) GTEST_SKIP() << "no /dev/null";
   OutputSet outputs;
