@@ -8,7 +8,7 @@
 #include "wellspaced/algorithms/audit/contact.hpp"
 #include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -195,7 +195,7 @@ void BoundaryPieces<D>::join_straight_ones() {
   for (Index s = 0; s < simplices_.size(); ++s)
     for (std::size_t i = 0; i < D; ++i)
       sides.push_back({common_part(nodes(s), i), s, far_corner(nodes(s), i)});
-  std::sort(sides.begin(), sides.end());
+  sort(sides);
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     while (end < sides.size() && sides[end].common == sides[i].common) ++end;
     if (end - i != 2) continue;

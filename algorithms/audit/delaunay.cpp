@@ -1,9 +1,8 @@
 #include "wellspaced/algorithms/audit/delaunay.hpp"
 
-#include <algorithm>
-
 #include "wellspaced/algorithms/audit/exact_tests.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -120,7 +119,7 @@ class DelaunayAudit {
         if (twin != kNoIndex && faces_obtuse(twin)) out.push_back(twin);
       }
     }
-    std::sort(out.begin(), out.end());
+    sort(out);
     return out;
   }
 

@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/audit/stars.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -19,8 +20,7 @@ class NodesByPlace {
  public:
   explicit NodesByPlace(std::span<const Point2> points) : points_(points), nodes_(points.size()) {
     for (Index v = 0; v < nodes_.size(); ++v) nodes_[v] = v;
-    std::sort(nodes_.begin(), nodes_.end(),
-              [&](Index v, Index w) { return before(points[v], points[w]); });
+    sort(nodes_, [&](Index v, Index w) { return before(points[v], points[w]); });
   }
 
   std::span<const Index> at(Point2 p) const {

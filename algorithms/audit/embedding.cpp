@@ -8,6 +8,7 @@
 #include "wellspaced/algorithms/audit/triangle_overlap.hpp"
 #include "wellspaced/algorithms/audit/winding.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -94,9 +95,8 @@ std::vector<Index> all_nodes(const TriangleMesh& mesh) {
 
 std::uint64_t count_coincident(const TriangleMesh& mesh, std::vector<Index> nodes) {
   const auto& p = mesh.points;
-  std::sort(nodes.begin(), nodes.end(), [&](Index i, Index j) {
-    return p[i].x < p[j].x || (p[i].x == p[j].x && p[i].y < p[j].y);
-  });
+  sort(nodes,
+       [&](Index i, Index j) { return p[i].x < p[j].x || (p[i].x == p[j].x && p[i].y < p[j].y); });
   std::uint64_t count = 0;
   for (std::size_t i = 1; i < nodes.size(); ++i) count += p[nodes[i - 1]] == p[nodes[i]];
   return count;

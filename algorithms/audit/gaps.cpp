@@ -6,7 +6,7 @@
 
 #include "wellspaced/algorithms/audit/circumcentre.hpp"
 #include "wellspaced/algorithms/audit/shape_tools.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -59,8 +59,7 @@ std::vector<Candidate<D>> voronoi_vertices(const SpacedPoints<D>& points) {
         known ? largest_parameter(points.spacing, centre, radius, error) : kInfinity;
     candidates.push_back({centre, radius, error, upper});
   }
-  std::sort(candidates.begin(), candidates.end(),
-            [](const auto& a, const auto& b) { return a.upper > b.upper; });
+  sort(candidates, [](const auto& a, const auto& b) { return a.upper > b.upper; });
   return candidates;
 }
 

@@ -5,7 +5,7 @@
 #include "wellspaced/algorithms/audit/components.hpp"
 #include "wellspaced/algorithms/audit/stars.hpp"
 #include "wellspaced/kernel/large_pages.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -34,7 +34,7 @@ class EdgeLists {
   void visit_edges(Visit visit) {
     for (std::size_t low = 0; low + 1 < first_.size(); ++low) {
       const std::span list(entries_.data() + first_[low], entries_.data() + first_[low + 1]);
-      std::sort(list.begin(), list.end());
+      sort(list);
       for (std::size_t i = 0, end = 0; i < list.size(); i = end) {
         while (end < list.size() && list[end] >> 32 == list[i] >> 32) ++end;
         visit(std::span<const std::uint64_t>(list.subspan(i, end - i)));
@@ -105,8 +105,8 @@ class Pairing {
 
   HalfEdges take_result() {
     auto& duplicates = result_.duplicate_triangles;
-    std::sort(result_.duplicate_segments.begin(), result_.duplicate_segments.end());
-    std::sort(result_.conflicting_segments.begin(), result_.conflicting_segments.end());
+    sort(result_.duplicate_segments);
+    sort(result_.conflicting_segments);
     sort_unique(duplicates);
     return std::move(result_);
   }
@@ -176,7 +176,7 @@ class Pairing {
     apexes_.clear();
     for (const std::uint64_t side : sides)
       apexes_.push_back(std::uint64_t{apex_of(side)} << 32 | item_of(side) / 3);
-    std::sort(apexes_.begin(), apexes_.end());
+    sort(apexes_);
     for (std::size_t i = 1; i < apexes_.size(); ++i)
       if (apexes_[i - 1] >> 32 == apexes_[i] >> 32)
         result_.duplicate_triangles.push_back(item_of(apexes_[i]));

@@ -20,6 +20,7 @@
 #include "wellspaced/algorithms/audit/theorems.hpp"
 #include "wellspaced/algorithms/audit/well_spaced.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -32,8 +33,7 @@ std::vector<Index> match_by_place(const TriangleMesh& coarse, const TriangleMesh
   const auto sorted = [](const TriangleMesh& mesh) {
     std::vector<Index> nodes(mesh.points.size());
     std::iota(nodes.begin(), nodes.end(), Index{0});
-    std::stable_sort(nodes.begin(), nodes.end(),
-                     [&](Index v, Index w) { return before(mesh.points[v], mesh.points[w]); });
+    sort(nodes, [&](Index v, Index w) { return before(mesh.points[v], mesh.points[w]); });
     return nodes;
   };
   std::vector<Index> match(coarse.points.size(), kNoIndex);

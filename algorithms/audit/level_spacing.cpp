@@ -5,7 +5,7 @@
 
 #include "wellspaced/algorithms/audit/stars.hpp"
 #include "wellspaced/kernel/distance.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -25,7 +25,7 @@ class Neighbours {
       by_segment_.push_back({s.a, s.b});
       by_segment_.push_back({s.b, s.a});
     }
-    std::sort(by_segment_.begin(), by_segment_.end());
+    sort(by_segment_);
   }
 
   template <class Visit>

@@ -1,6 +1,5 @@
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
 
-#include <algorithm>
 #include <span>
 
 #include "wellspaced/algorithms/audit/delaunay.hpp"
@@ -10,6 +9,7 @@
 #include "wellspaced/algorithms/audit/local_order.hpp"
 #include "wellspaced/algorithms/audit/shape.hpp"
 #include "wellspaced/algorithms/audit/topology.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -54,7 +54,7 @@ void restore_numbers(Check& check, const LocalOrder& order) {
   if (!by_node && !by_triangle) return;
   const std::vector<Index>& given = by_node ? order.given_node : order.given_triangle;
   for (Index& id : check.ids) id = given[id];
-  if (ids_per(check.item) == 1) std::sort(check.ids.begin(), check.ids.end());
+  if (ids_per(check.item) == 1) sort(check.ids);
   if (check.item == Item::kTrianglePair) sort_pairs(check.ids);
 }
 

@@ -9,6 +9,7 @@
 #include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
 
 namespace wellspaced::audit {
@@ -18,8 +19,7 @@ namespace {
 std::vector<Index> numbers_of(std::span<const Point2> places, std::span<const Point2> points) {
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index i, Index j) { return before(points[i], points[j]); });
+  sort(order, [&](Index i, Index j) { return before(points[i], points[j]); });
   std::vector<Index> numbers;
   for (const Point2 p : places) {
     const auto at = std::partition_point(order.begin(), order.end(),
@@ -49,7 +49,7 @@ std::vector<Index> points_along(Point2 a, Point2 b, std::span<const Point2> poin
                   found.push_back({t, v});
                 return true;
               });
-  std::sort(found.begin(), found.end());
+  sort(found);
   std::vector<Index> result;
   for (const auto& [t, v] : found) result.push_back(v);
   return result;

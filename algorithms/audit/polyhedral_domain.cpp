@@ -10,7 +10,7 @@
 
 #include "wellspaced/algorithms/audit/vectors.hpp"
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -143,7 +143,7 @@ std::vector<Index> flat_parts(const Pls& system, const std::vector<FacetPolygons
   std::vector<std::pair<FacetSide, Index>> sides;
   for (Index f = 0; f < facets.size(); ++f)
     for_each_side(facets[f], [&](FacetSide side) { sides.push_back({side, f}); });
-  std::sort(sides.begin(), sides.end());
+  sort(sides);
   std::vector<Index> part(facets.size());
   std::iota(part.begin(), part.end(), Index{0});
   const auto root = [&](Index f) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "wellspaced/kernel/sort.hpp"
+
 namespace wellspaced::audit {
 namespace {
 
@@ -64,7 +66,7 @@ void sort_pairs(std::vector<Index>& ids) {
   std::vector<std::array<Index, 2>> pairs;
   for (std::size_t i = 0; i + 1 < ids.size(); i += 2)
     pairs.push_back({std::min(ids[i], ids[i + 1]), std::max(ids[i], ids[i + 1])});
-  std::sort(pairs.begin(), pairs.end());
+  sort(pairs);
   ids.clear();
   for (const auto& [a, b] : pairs) ids.insert(ids.end(), {a, b});
 }

@@ -7,6 +7,7 @@
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -20,8 +21,7 @@ std::vector<Index> unify_places(std::span<const Point3> points, std::span<const 
   for (const ChainFace& face : faces)
     nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
   const auto key = [&](Index v) { return std::array{points[v].x, points[v].y, points[v].z}; };
-  std::sort(nodes.begin(), nodes.end(),
-            [&](Index v, Index w) { return key(v) != key(w) ? key(v) < key(w) : v < w; });
+  sort(nodes, [&](Index v, Index w) { return key(v) != key(w) ? key(v) < key(w) : v < w; });
   for (std::size_t i = 1; i < nodes.size(); ++i)
     if (points[nodes[i]] == points[nodes[i - 1]]) place[nodes[i]] = place[nodes[i - 1]];
   return place;
@@ -81,7 +81,7 @@ class SolidProof {
       const auto [key, odd] = sorted({place[a], place[b], place[c]});
       all.push_back({key, odd, i});
     }
-    std::sort(all.begin(), all.end(), [](const Oriented& a, const Oriented& b) {
+    sort(all, [](const Oriented& a, const Oriented& b) {
       return std::tie(a.key, a.odd, a.given) < std::tie(b.key, b.odd, b.given);
     });
     for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
@@ -120,7 +120,7 @@ class SolidProof {
         all.push_back(
             {std::min(from, to), std::max(from, to), f, faces_[f][(i + 2) % 3], from > to});
       }
-    std::sort(all.begin(), all.end(), [](const Wing& a, const Wing& b) {
+    sort(all, [](const Wing& a, const Wing& b) {
       return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
     });
     return all;
@@ -154,7 +154,7 @@ class SolidProof {
     };
     // 0: the first; 1: within half a turn; 2: opposite; 3: beyond.
     const auto quarter = [&](Index x) { return x == first ? 0 : 2 - turn(first, x); };
-    std::sort(wings.begin(), wings.end(), [&](const Wing& a, const Wing& b) {
+    sort(wings, [&](const Wing& a, const Wing& b) {
       const int i = quarter(a.apex), j = quarter(b.apex);
       return i != j ? i < j : turn(a.apex, b.apex) > 0;
     });

@@ -1,6 +1,5 @@
 #include "wellspaced/algorithms/audit/tet_audit.hpp"
 
-#include <algorithm>
 #include <span>
 
 #include "wellspaced/algorithms/audit/local_order.hpp"
@@ -9,6 +8,7 @@
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
 #include "wellspaced/algorithms/audit/tet_shape.hpp"
 #include "wellspaced/algorithms/audit/tet_topology.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -43,7 +43,7 @@ void restore_numbers(Check& check, const TetLocalOrder& order) {
   if (!by_node && !by_tet) return;
   const std::vector<Index>& given = by_node ? order.given_node : order.given_tet;
   for (Index& id : check.ids) id = given[id];
-  if (ids_per(check.item) == 1) std::sort(check.ids.begin(), check.ids.end());
+  if (ids_per(check.item) == 1) sort(check.ids);
   if (check.item == Item::kTetPair) sort_pairs(check.ids);
 }
 

@@ -12,7 +12,7 @@
 #include "wellspaced/algorithms/audit/open_facets.hpp"
 #include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -65,8 +65,7 @@ class MeshIndex {
     for (Index i = 0; i < tets_.size(); ++i) tets_[--first_[mesh.tets[i / 4][i % 4]]] = i / 4;
     nodes_.resize(mesh.points.size());
     std::iota(nodes_.begin(), nodes_.end(), Index{0});
-    std::sort(nodes_.begin(), nodes_.end(),
-              [&](Index v, Index w) { return key(mesh.points[v]) < key(mesh.points[w]); });
+    sort(nodes_, [&](Index v, Index w) { return key(mesh.points[v]) < key(mesh.points[w]); });
   }
 
   // Some node at a place that is in a tet, or else some node there, or kNoIndex.

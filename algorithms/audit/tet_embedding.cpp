@@ -8,7 +8,7 @@
 #include "wellspaced/algorithms/audit/contact.hpp"
 #include "wellspaced/algorithms/audit/solid_winding.hpp"
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -103,7 +103,7 @@ std::uint64_t count_coincident(const TetMesh& mesh) {
   std::vector<std::array<double, 3>> places;
   places.reserve(mesh.points.size());
   for (const Point3& p : mesh.points) places.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});
-  std::sort(places.begin(), places.end());
+  sort(places);
   const auto distinct = std::unique(places.begin(), places.end()) - places.begin();
   return places.size() - static_cast<std::size_t>(distinct);
 }

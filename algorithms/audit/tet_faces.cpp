@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/large_pages.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -60,7 +60,7 @@ class FaceLists {
   void visit_faces(Visit visit) {
     for (Index low = 0; low < nodes(); ++low) {
       const std::span<Entry> list = from(low);
-      std::sort(list.begin(), list.end());
+      sort(list);
       for (std::size_t i = 0, end = 0; i < list.size(); i = end) {
         while (end < list.size() && list[end].same_place(list[i])) ++end;
         visit(std::span<const Entry>(list.subspan(i, end - i)));
@@ -213,7 +213,7 @@ class FacePairing {
     apexes_.clear();
     for (const Entry& side : sides)
       apexes_.push_back(std::uint64_t{face_apex(tets_, side.item)} << 32 | side.item / 4);
-    std::sort(apexes_.begin(), apexes_.end());
+    sort(apexes_);
     for (std::size_t i = 1; i < apexes_.size(); ++i)
       if (apexes_[i - 1] >> 32 == apexes_[i] >> 32)
         result_.duplicate_tets.push_back(static_cast<Index>(apexes_[i]));

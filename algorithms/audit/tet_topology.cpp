@@ -7,6 +7,7 @@
 #include "wellspaced/algorithms/audit/components.hpp"
 #include "wellspaced/algorithms/audit/half_edges.hpp"
 #include "wellspaced/kernel/check_points.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -33,7 +34,7 @@ void audit_segments(const TetMesh& mesh, Report& report) {
       for (int j = i + 1; j < 4; ++j)
         if (at_end[tet[i]] != 0 && at_end[tet[j]] != 0)
           edges.push_back({std::min(tet[i], tet[j]), std::max(tet[i], tet[j])});
-  std::sort(edges.begin(), edges.end());
+  sort(edges);
   for (Index s = 0; s < mesh.segments.size(); ++s) {
     const auto [a, b] = std::minmax(mesh.segments[s].a, mesh.segments[s].b);
     if (!std::binary_search(edges.begin(), edges.end(), std::array{a, b})) check.violate({s});

@@ -21,7 +21,7 @@
 #include "wellspaced/algorithms/audit/tet_topology.hpp"
 #include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
 
 namespace wellspaced::audit {
@@ -42,8 +42,7 @@ template <std::size_t D, class Point>
 Places<D> places_of(std::span<const Point> points, double scale) {
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index v, Index w) { return before(points[v], points[w]); });
+  sort(order, [&](Index v, Index w) { return before(points[v], points[w]); });
   Places<D> places;
   places.place_of.resize(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -62,8 +61,8 @@ Places<D> places_of(std::span<const Point> points, double scale) {
 // Simplices at one place are one: the two lips of a slit, which the domain lies on both sides of.
 template <std::size_t D>
 std::vector<BoundarySimplex<D>> united(std::vector<BoundarySimplex<D>> all) {
-  for (auto& simplex : all) std::sort(simplex.nodes.begin(), simplex.nodes.end());
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.nodes < b.nodes; });
+  for (auto& simplex : all) sort(simplex.nodes);
+  sort(all, [](const auto& a, const auto& b) { return a.nodes < b.nodes; });
   std::vector<BoundarySimplex<D>> result;
   for (const auto& simplex : all) {
     if (result.empty() || result.back().nodes != simplex.nodes) {
@@ -184,7 +183,7 @@ bool is_convex_along_edges(const TetMesh& mesh) {
       const Index a = t[i], b = t[(i + 1) % 3];
       sides.push_back({std::min(a, b), std::max(a, b), t, t[(i + 2) % 3]});
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  sort(sides, [](const Side& a, const Side& b) {
     return std::tie(a.low, a.high, a.far) < std::tie(b.low, b.high, b.far);
   });
   const auto& p = mesh.points;

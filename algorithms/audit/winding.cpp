@@ -5,6 +5,7 @@
 
 #include "wellspaced/algorithms/audit/places.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -60,7 +61,7 @@ std::vector<Event> events_of(std::span<const ChainEdge> chain) {
     events.push_back({e.from, e.from_node});
     events.push_back({e.to, e.to_node});
   }
-  std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
+  sort(events, [](const Event& a, const Event& b) {
     return before(a.point, b.point) || (a.point == b.point && a.node < b.node);
   });
   const auto same = [](const Event& a, const Event& b) { return a.point == b.point; };
@@ -72,8 +73,7 @@ class Sweep {
  public:
   explicit Sweep(std::span<const ChainEdge> chain) : events_(events_of(chain)) {
     for (const ChainEdge& e : chain) edges_.push_back(edge_along_sweep(e));
-    std::sort(edges_.begin(), edges_.end(),
-              [](const SweepEdge& a, const SweepEdge& b) { return before(a.first, b.first); });
+    sort(edges_, [](const SweepEdge& a, const SweepEdge& b) { return before(a.first, b.first); });
   }
 
   WindingVerdict run() {
@@ -117,7 +117,7 @@ class Sweep {
 
   // From below to above; coincident edges by their length, the shortest first.
   void sort_outgoing(Point2 p) {
-    std::sort(outgoing_.begin(), outgoing_.end(), [&](Index i, Index j) {
+    sort(outgoing_, [&](Index i, Index j) {
       const Point2 a = edges_[i].last, b = edges_[j].last;
       const int sign = orient2d(p, a, b);
       if (sign != 0) return sign > 0;

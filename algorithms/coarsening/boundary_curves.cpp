@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -27,7 +27,7 @@ std::vector<MarkedEnds> sorted_segments(std::span<const Segment> segments) {
     if (s.a != s.b) sorted.push_back({unordered(s.a, s.b), s.marker});
   const auto less = [](const auto& a, const auto& b) { return a.ends < b.ends; };
   const auto equal = [](const auto& a, const auto& b) { return a.ends == b.ends; };
-  std::stable_sort(sorted.begin(), sorted.end(), less);
+  sort(sorted, less);
   sorted.erase(std::unique(sorted.begin(), sorted.end(), equal), sorted.end());
   return sorted;
 }
@@ -112,7 +112,7 @@ std::vector<Ends> inner_edges(std::span<const MarkedEnds> segments, const EdgeLi
     inner.push_back(ends);
     inner.push_back({ends[1], ends[0]});
   }
-  std::sort(inner.begin(), inner.end());
+  sort(inner);
   return inner;
 }
 
@@ -146,7 +146,7 @@ std::vector<Index> marked_nodes(std::span<const std::uint8_t> marks) {
 // Ties each run of equal points into a circular list.
 TwinNodes find_twins(std::span<const Point2> points, std::vector<Index> nodes) {
   const auto position = [&](Index v) { return std::pair{points[v].x, points[v].y}; };
-  std::sort(nodes.begin(), nodes.end(), [&](Index a, Index b) {
+  sort(nodes, [&](Index a, Index b) {
     return position(a) < position(b) || (position(a) == position(b) && a < b);
   });
   TwinNodes twins;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -17,7 +18,7 @@ std::vector<Segment> sorted_arcs(std::span<const Segment> segments) {
     arcs.push_back({s.a, s.b, s.marker});
     arcs.push_back({s.b, s.a, s.marker});
   }
-  std::sort(arcs.begin(), arcs.end(), [](const Segment& a, const Segment& b) {
+  sort(arcs, [](const Segment& a, const Segment& b) {
     return std::tie(a.a, a.b, a.marker) < std::tie(b.a, b.b, b.marker);
   });
   return arcs;

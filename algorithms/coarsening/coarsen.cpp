@@ -18,7 +18,7 @@
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
 #include "wellspaced/kernel/check_points.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -133,7 +133,7 @@ void complete_segments(TriangleMesh& mesh, const Boundary& boundary) {
   const auto ends = [](const Segment& s) { return std::minmax(s.a, s.b); };
   const auto less = [&](const Segment& a, const Segment& b) { return ends(a) < ends(b); };
   std::vector<Segment> known = mesh.segments;
-  std::sort(known.begin(), known.end(), less);
+  sort(known, less);
   for (const Segment& s : boundary_segments(boundary))
     if (!std::binary_search(known.begin(), known.end(), s, less)) mesh.segments.push_back(s);
 }

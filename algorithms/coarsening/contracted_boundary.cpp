@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -111,8 +112,7 @@ void ContractedBoundary::mark_doubles(std::vector<std::uint8_t>& broken) const {
   const auto ends = [&](std::size_t i) { return std::minmax(edges_[i].a, edges_[i].b); };
   std::vector<std::size_t> order(edges_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return ends(i) < ends(j); });
+  sort(order, [&](std::size_t i, std::size_t j) { return ends(i) < ends(j); });
   for (std::size_t k = 1; k < order.size(); ++k) {
     if (ends(order[k - 1]) != ends(order[k])) continue;
     for (const std::size_t i : {order[k - 1], order[k]})

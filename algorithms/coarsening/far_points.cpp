@@ -7,6 +7,7 @@
 
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 std::vector<std::size_t> convex_hull(std::span<const Point2> points) {
   std::vector<std::size_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  sort(order, [&](std::size_t a, std::size_t b) {
     const auto key = [&](std::size_t i) { return std::make_tuple(points[i].x, points[i].y, i); };
     return key(a) < key(b);
   });

@@ -1,9 +1,9 @@
 #include "wellspaced/algorithms/coarsening/node_order.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 #include "wellspaced/kernel/random.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 
@@ -20,8 +20,7 @@ std::vector<std::uint64_t> random_keys(std::span<const Index> origin, std::uint3
 std::vector<std::uint64_t> priority_keys(std::span<const double> values) {
   std::vector<Index> order(values.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return values[a] > values[b]; });
+  sort(order, [&](Index a, Index b) { return values[a] > values[b]; });
   std::vector<std::uint64_t> keys(values.size());
   for (std::size_t rank = 0; rank < order.size(); ++rank) keys[order[rank]] = rank;
   return keys;

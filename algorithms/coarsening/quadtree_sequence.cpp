@@ -14,6 +14,7 @@
 #include "wellspaced/algorithms/coarsening/quadtree_stages.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/radix_sort.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -182,7 +183,7 @@ Result<Level> make_level(const Level& finest, const QuadtreeStage& stage,
       level.mesh.point_markers.push_back(finest.mesh.point_markers[stage.origin[v]]);
   }
   for (const Index v : stage.fixed) level.mesh.fixed.push_back(node[v]);
-  std::sort(level.mesh.fixed.begin(), level.mesh.fixed.end());
+  sort(level.mesh.fixed);
 
   std::vector<Index> along_curve;
   for (const Index v : choice.nodes) along_curve.push_back(node[v]);

@@ -12,6 +12,7 @@
 #include "wellspaced/algorithms/spacing/quadtree_spacing.hpp"
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
 #include "wellspaced/kernel/radix_sort.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -129,7 +130,7 @@ Boundary renumbered(const Boundary& old, std::span<const Index> number, Index no
 void renumber_fixed(std::span<const Index> fixed, std::span<const Index> number,
                     QuadtreeStage& stage) {
   for (const Index v : fixed) stage.fixed.push_back(number[v]);
-  std::sort(stage.fixed.begin(), stage.fixed.end());
+  sort(stage.fixed);
 }
 
 // ---- Thinning

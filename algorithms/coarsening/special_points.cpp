@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/spacing/nearest_neighbor.hpp"
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -23,7 +24,7 @@ class Walls {
       arcs_.push_back({s.a, s.b, s.marker});
       arcs_.push_back({s.b, s.a, s.marker});
     }
-    std::sort(arcs_.begin(), arcs_.end(), [](const Segment& a, const Segment& b) {
+    sort(arcs_, [](const Segment& a, const Segment& b) {
       return std::pair{a.a, a.b} < std::pair{b.a, b.b};
     });
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "wellspaced/algorithms/generate/make_points.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {

@@ -1,8 +1,9 @@
 #include "wellspaced/algorithms/generate/mis_degradation.hpp"
 
-#include <algorithm>
 #include <numeric>
 #include <vector>
+
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -38,7 +39,7 @@ Result<TriangleMesh> generate_mis_degradation(unsigned levels) {
   const auto outlived = [=](Index place) {
     return levels_outlived(place % columns, place / columns, levels);
   };
-  std::ranges::stable_sort(order, std::ranges::greater(), outlived);
+  sort(order, [&](Index p, Index q) { return outlived(p) > outlived(q); });
 
   TriangleMesh mesh;
   for (Index v = 0; v < order.size(); ++v) {

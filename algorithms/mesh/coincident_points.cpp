@@ -1,6 +1,6 @@
 #include "wellspaced/algorithms/mesh/coincident_points.hpp"
 
-#include <algorithm>
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -16,7 +16,7 @@ std::vector<Index> find_first(std::span<const Point> points) {
   std::vector<NumberedPoint<Point>> sorted;
   sorted.reserve(points.size());
   for (const Point& p : points) sorted.push_back({p, static_cast<Index>(sorted.size())});
-  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+  sort(sorted, [](const auto& a, const auto& b) {
     return a.point < b.point || (a.point == b.point && a.number < b.number);
   });
   std::vector<Index> first(points.size());

@@ -7,7 +7,7 @@
 #include "wellspaced/algorithms/mesh/directed_edges.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/sha256.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -36,7 +36,7 @@ class Sets {
 std::vector<std::pair<Index, Index>> sorted_ends(std::span<const Segment> segments) {
   std::vector<std::pair<Index, Index>> ends;
   for (const Segment& s : segments) ends.push_back(std::minmax(s.a, s.b));
-  std::sort(ends.begin(), ends.end());
+  sort(ends);
   return ends;
 }
 
@@ -70,7 +70,7 @@ template <class Point>
 std::vector<Index> lexicographic_ranks(std::span<const Point> points) {
   std::vector<Index> order(points.size()), rank(points.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return points[i] < points[j]; });
+  sort(order, [&](Index i, Index j) { return points[i] < points[j]; });
   Index next = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i > 0 && points[order[i - 1]] < points[order[i]]) ++next;
@@ -95,7 +95,7 @@ std::string hash_cells(std::span<const Point> points, std::vector<std::vector<In
     for (Index& v : cell) v = rank[v];
     sort_unique(cell);
   }
-  std::sort(cells.begin(), cells.end());
+  sort(cells);
   Sha256 hash;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0) hash.add("\n");

@@ -8,6 +8,7 @@
 #include "wellspaced/algorithms/mesh/coincident_points.hpp"
 #include "wellspaced/algorithms/mesh/directed_edges.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -117,7 +118,7 @@ void Preparer::drop_repeated_segments() {
   std::vector<Index> order(mesh_.segments.size());
   for (Index s = 0; s < order.size(); ++s) order[s] = s;
   const auto key = [&](Index s) { return std::pair(ends(mesh_.segments[s]), s); };
-  std::sort(order.begin(), order.end(), [&](Index s, Index t) { return key(s) < key(t); });
+  sort(order, [&](Index s, Index t) { return key(s) < key(t); });
   std::vector<char> repeated(order.size(), 0);
   for (std::size_t i = 1; i < order.size(); ++i)
     repeated[order[i]] = ends(mesh_.segments[order[i]]) == ends(mesh_.segments[order[i - 1]]);
@@ -131,7 +132,7 @@ void Preparer::drop_repeated_segments() {
 void Preparer::recover_boundary(std::span<const DirectedEdges::Edge> boundary) {
   std::vector<std::pair<Index, Index>> listed;
   for (const Segment& s : mesh_.segments) listed.push_back(ends(s));
-  std::sort(listed.begin(), listed.end());
+  sort(listed);
   for (const auto& [from, to] : boundary)
     if (!std::binary_search(listed.begin(), listed.end(), ends({from, to})))
       mesh_.segments.push_back({from, to, 1});
@@ -154,7 +155,7 @@ std::vector<char> find_slit_points(std::span<const DirectedEdges::Edge> boundary
                                    std::span<const Index> first) {
   std::vector<ClassEdge> edges;
   for (const auto& [from, to] : boundary) edges.push_back({{first[from], first[to]}, from, to});
-  std::sort(edges.begin(), edges.end());
+  sort(edges);
   std::vector<char> paired(first.size(), 0);
   for (const ClassEdge& edge : edges) {
     const std::pair facing(edge.classes.second, edge.classes.first);

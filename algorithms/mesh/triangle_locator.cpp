@@ -1,8 +1,7 @@
 #include "wellspaced/algorithms/mesh/triangle_locator.hpp"
 
-#include <algorithm>
-
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -27,7 +26,7 @@ std::vector<Index> TriangleLocator::triangles_at(Point2 x) const {
   boxes_.for_each_meeting({x, x}, [&](std::size_t t) {
     if (contains(static_cast<Index>(t), x)) found.push_back(static_cast<Index>(t));
   });
-  std::sort(found.begin(), found.end());
+  sort(found);
   return found;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -147,7 +147,7 @@ void FacetMerger::list_edges() {
     for (const Polygon& polygon : domain_.facets[f].polygons)
       for (std::size_t i = 0; i < polygon.size(); ++i)
         uses_.push_back(edge_use(polygon[i], polygon[(i + 1) % polygon.size()], f));
-  std::sort(uses_.begin(), uses_.end());
+  sort(uses_);
 }
 
 // Whether the two facets of an edge could be one, but for the plane.
@@ -186,9 +186,8 @@ void FacetMerger::merge() {
   list_neighbors();
   std::vector<Index> order(domain_.facets.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index f, Index g) {
-    return shapes_[f].normal_length > shapes_[g].normal_length;
-  });
+  sort(order,
+       [&](Index f, Index g) { return shapes_[f].normal_length > shapes_[g].normal_length; });
   std::vector<bool> is_taken(order.size(), false);
   for (const Index seed : order) {
     if (is_taken[seed]) continue;
@@ -199,8 +198,7 @@ void FacetMerger::merge() {
   const auto lowest = [](const FacetGroup& g) {
     return *std::min_element(g.facets.begin(), g.facets.end());
   };
-  std::sort(groups_.begin(), groups_.end(),
-            [&](const FacetGroup& g, const FacetGroup& h) { return lowest(g) < lowest(h); });
+  sort(groups_, [&](const FacetGroup& g, const FacetGroup& h) { return lowest(g) < lowest(h); });
 }
 
 // The polygon of a facet, turned as its group turns.
@@ -220,7 +218,7 @@ bool FacetMerger::is_shared(const EdgeUse& use) const {
 
 // Directed edges, joined to closed polygons where they can be, from the lowest corner on.
 std::vector<Polygon> closed_polygons(std::vector<std::pair<Index, Index>> edges) {
-  std::sort(edges.begin(), edges.end());
+  sort(edges);
   std::vector<bool> is_taken(edges.size(), false);
   const auto next_from = [&](Index v) {
     auto at = std::lower_bound(edges.begin(), edges.end(), std::pair(v, Index{0})) - edges.begin();
@@ -255,7 +253,7 @@ Pls::Facet FacetMerger::outline(const FacetGroup& group) const {
     for (std::size_t i = 0; i < polygon.size(); ++i)
       uses.push_back(edge_use(polygon[i], polygon[(i + 1) % polygon.size()], f));
   }
-  std::sort(uses.begin(), uses.end());
+  sort(uses);
   std::vector<std::pair<Index, Index>> boundary;
   std::vector<Polygon> inside;
   for (std::size_t i = 0; i < uses.size(); ++i) {

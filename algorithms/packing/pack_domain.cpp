@@ -11,6 +11,7 @@
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -94,7 +95,7 @@ void describe_repetitions(const Pslg& domain, const PlanarTriangulation& graph,
   for (const Segment& s : domain.segments)
     ends.push_back(
         std::minmax(graph.delaunay.representative(s.a), graph.delaunay.representative(s.b)));
-  std::sort(ends.begin(), ends.end());
+  sort(ends);
   const auto first_repeated = std::unique(ends.begin(), ends.end());
   const auto repeated = static_cast<std::size_t>(ends.end() - first_repeated);
   if (repeated > 0) notes.push_back(counted(repeated, "segment") + " repeat others");

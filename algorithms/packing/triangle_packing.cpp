@@ -10,6 +10,7 @@
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -73,7 +74,7 @@ void TrianglePacking::index_pieces() {
     for (const Index v : {piece.a, piece.b})
       if (v != whole.a && v != whole.b) segment_of_[v] = piece.segment;
   }
-  std::sort(pieces_.begin(), pieces_.end(), names_less);
+  sort(pieces_, names_less);
 }
 
 const BoundaryPiece* TrianglePacking::initial_piece(Index a, Index b) const {
@@ -314,7 +315,7 @@ void TrianglePacking::collect_segments(std::span<const Index> number,
       if (distance(start, point(b)) < distance(start, point(a))) std::swap(a, b);
       found.push_back({s, distance(start, point(a)), a, b});
     }
-  std::sort(found.begin(), found.end(), [](const Found& f, const Found& g) {
+  sort(found, [](const Found& f, const Found& g) {
     return std::tie(f.segment, f.along) < std::tie(g.segment, g.along);
   });
   for (const Found& f : found)

@@ -1,9 +1,9 @@
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 
-#include <algorithm>
 #include <limits>
 
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -11,8 +11,7 @@ namespace {
 std::vector<Index> by_ascending_value(std::span<const double> values) {
   std::vector<Index> order(values.size());
   for (Index v = 0; v < order.size(); ++v) order[v] = v;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return values[a] < values[b]; });
+  sort(order, [&](Index a, Index b) { return values[a] < values[b]; });
   return order;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wellspaced/kernel/graph.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -24,8 +25,7 @@ SparsityPattern operator_pattern(const TriangleMesh& mesh) {
   for (Index v = 0; v < graph.nodes(); ++v) {
     pattern.column.push_back(v);
     for (const Graph::Arc& arc : graph.arcs_of(v)) pattern.column.push_back(arc.target);
-    std::sort(pattern.column.begin() + static_cast<std::ptrdiff_t>(pattern.first.back()),
-              pattern.column.end());
+    sort(std::span(pattern.column).subspan(pattern.first.back()));
     pattern.end_row();
   }
   return pattern;
@@ -47,8 +47,7 @@ SparsityPattern galerkin_pattern(const SparsityPattern& a, const SparsityPattern
           product.column.push_back(j);
         }
       }
-    std::sort(product.column.begin() + static_cast<std::ptrdiff_t>(product.first.back()),
-              product.column.end());
+    sort(std::span(product.column).subspan(product.first.back()));
     product.end_row();
   }
   return product;

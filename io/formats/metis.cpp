@@ -6,7 +6,7 @@
 
 #include "wellspaced/io/formats/point_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {

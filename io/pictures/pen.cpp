@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {

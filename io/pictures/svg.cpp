@@ -5,7 +5,7 @@
 
 #include "wellspaced/io/pictures/pen.hpp"
 #include "wellspaced/io/text/markup.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {

@@ -7,6 +7,7 @@
 #include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 
@@ -180,7 +181,7 @@ bool Delaunay2::start() {
 std::vector<Delaunay2::Duplicate> Delaunay2::sort_out_duplicates() const {
   std::vector<Index> sorted(points_.size());
   for (Index i = 0; i < sorted.size(); ++i) sorted[i] = i;
-  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) {
+  sort(sorted, [&](Index a, Index b) {
     if (points_[a] == points_[b]) return a < b;
     return points_[a] < points_[b];
   });

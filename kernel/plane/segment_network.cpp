@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wellspaced/kernel/plane/delaunay2.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -71,11 +72,11 @@ Result<SegmentNetwork> segment_network(std::span<const Point2> points,
       for (Index piece = 0; piece + 1 < network.paths[s].size(); ++piece)
         owners.push_back(piece_of(network.paths[s], s, piece));
     }
-    std::sort(owners.begin(), owners.end());
+    sort(owners);
     for (const Index s : refused) trace(dt, s, segments[s], owners, network.crossings);
     waiting = std::move(refused);
   }
-  std::sort(network.crossings.begin(), network.crossings.end());
+  sort(network.crossings);
   return network;
 }
 

@@ -7,6 +7,7 @@
 
 #include "wellspaced/kernel/plane/crossing.hpp"
 #include "wellspaced/kernel/random.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -76,7 +77,7 @@ void Splitter::number_nodes() {
   const std::vector<SegmentCrossing>& pairs = network_.crossings;
   std::vector<Index> sorted(pairs.size());
   for (Index k = 0; k < sorted.size(); ++k) sorted[k] = k;
-  std::sort(sorted.begin(), sorted.end(), [&](Index k, Index l) {
+  sort(sorted, [&](Index k, Index l) {
     const int order = compare_xy(crossing(pairs[k]), crossing(pairs[l]));
     return order != 0 ? order < 0 : k < l;
   });
@@ -104,7 +105,7 @@ void Splitter::chain_segments() {
     if (stops[s].empty()) continue;
     const Point2 a = points_[segments_[s].a], b = points_[segments_[s].b];
     const bool ascending = a.x < b.x || (a.x == b.x && a.y < b.y);
-    std::sort(stops[s].begin(), stops[s].end(), [&](const Stop& i, const Stop& j) {
+    sort(stops[s], [&](const Stop& i, const Stop& j) {
       if (i.first != j.first) return i.first < j.first;
       return ascending ? i.second < j.second : j.second < i.second;
     });
@@ -227,7 +228,7 @@ bool Splitter::move_on(const std::vector<Misfits>& conflicts) {
     blamed.push_back(*std::min_element(nodes.begin(), nodes.end(), [&](Index k, Index l) {
       return nodes_[k].choice < nodes_[l].choice;
     }));
-  std::sort(blamed.begin(), blamed.end());  // so that none moves twice
+  sort(blamed);  // so that none moves twice
   blamed.erase(std::unique(blamed.begin(), blamed.end()), blamed.end());
   bool moved = false;
   for (const Index k : blamed) {

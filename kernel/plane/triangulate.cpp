@@ -7,6 +7,7 @@
 
 #include "wellspaced/kernel/plane/segment_network.hpp"
 #include "wellspaced/kernel/plane/split_crossings.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -39,7 +40,7 @@ void add_pieces(const std::vector<Index>& chain, int marker, std::vector<Segment
 
 // Ascending, each edge once, with its largest marker.
 void sort_out_repeated(std::vector<Segment>& pieces) {
-  std::sort(pieces.begin(), pieces.end(), [](const Segment& s, const Segment& t) {
+  sort(pieces, [](const Segment& s, const Segment& t) {
     return std::tie(s.a, s.b, t.marker) < std::tie(t.a, t.b, s.marker);
   });
   const auto same_edge = [](const Segment& s, const Segment& t) {
@@ -61,7 +62,7 @@ void split_on_line(const Pslg& graph, PlanarTriangulation& result) {
   std::vector<Index> sorted, place(graph.points.size());
   for (Index i = 0; i < place.size(); ++i)
     if (dt.is_vertex(i)) sorted.push_back(i);
-  std::sort(sorted.begin(), sorted.end(), [&](Index i, Index j) {
+  sort(sorted, [&](Index i, Index j) {
     const Point2 p = graph.points[i], q = graph.points[j];
     return p.x < q.x || (p.x == q.x && p.y < q.y);
   });

@@ -1,6 +1,6 @@
 #include "wellspaced/kernel/plane/triangulation2.hpp"
 
-#include <algorithm>
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 
@@ -93,7 +93,7 @@ Index Triangulation2::merge_star(Edge e, std::vector<std::pair<Index, Index>>& m
     corners[k] = destination(e);
     outside[previous(k)] = triangles_[e.triangle].link[next(e.i)];
   }
-  std::sort(slots.begin(), slots.end());
+  sort(slots);
   const Index t = slots[0];
   triangles_[t].vertex = corners;
   for (unsigned k = 0; k < 3; ++k) {

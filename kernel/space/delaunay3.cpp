@@ -10,6 +10,7 @@
 #include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/walk3.hpp"
 
 namespace wellspaced {
@@ -125,7 +126,7 @@ void Delaunay3::take_triangles() {
 void Delaunay3::take_chain(std::vector<Duplicate>& duplicates) {
   std::vector<Index> sorted(points_.size());
   std::iota(sorted.begin(), sorted.end(), Index{0});
-  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) {
+  sort(sorted, [&](Index a, Index b) {
     return points_[a] == points_[b] ? a < b : points_[a] < points_[b];
   });
   for (const Index v : sorted) {

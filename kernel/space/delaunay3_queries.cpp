@@ -5,7 +5,7 @@
 
 #include "wellspaced/kernel/index_set.hpp"
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -64,7 +64,7 @@ static std::vector<Index> boundary_vertices(const std::vector<std::array<Index, 
   std::vector<std::pair<Index, Index>> edges;
   for (const auto& v : triangles)
     for (unsigned i = 0; i < 3; ++i) edges.push_back(std::minmax({v[i], v[(i + 1) % 3]}));
-  std::sort(edges.begin(), edges.end());
+  sort(edges);
   std::vector<Index> ends;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const bool twice =

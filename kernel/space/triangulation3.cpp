@@ -1,10 +1,10 @@
 #include "wellspaced/kernel/space/triangulation3.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <utility>
 
 #include "wellspaced/kernel/parallel.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 
@@ -27,7 +27,7 @@ void Triangulation3::reset(Index a, Index b, Index c, Index d) {
 
 void Triangulation3::remove(std::span<Index> dead) {
   // From the highest number down, so that the last tet is never itself to be removed later.
-  std::sort(dead.begin(), dead.end(), std::greater<>());
+  sort(dead, std::greater<>());
   for (const Index hole : dead) {
     tets_[hole] = tets_.back();
     tets_.pop_back();

@@ -1,9 +1,10 @@
 #include "wellspaced/kernel/space/vertex_inserter3.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <numeric>
 #include <string>
+
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 
@@ -16,7 +17,7 @@ Status VertexInserter3::insert(Triangulation3& topology, std::span<const Point3>
 // Which tets Triangulation3::remove gives another number, in its order.
 static void note_moves(std::vector<Index> dead, Index size,
                        std::vector<VertexInserter3::Move>& moves) {
-  std::sort(dead.begin(), dead.end(), std::greater<>());
+  sort(dead, std::greater<>());
   for (const Index hole : dead)
     if (hole != --size) moves.push_back({size, hole});
 }

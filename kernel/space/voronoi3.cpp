@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/predicates.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/delaunay3_queries.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
@@ -50,7 +50,7 @@ struct Corners {
 Corners corners_around(const Delaunay3& delaunay, const std::vector<Index>& tets) {
   Corners corners;
   for (const Index t : tets) corners.center_of_tet.emplace_back(t, kNoIndex);
-  std::sort(corners.center_of_tet.begin(), corners.center_of_tet.end());
+  sort(corners.center_of_tet);
   Index count = 0;
   for (const Index first : tets) {
     if (*corners.find(first) != kNoIndex) continue;
@@ -168,7 +168,7 @@ class CellBuilder {
 
   // The number of the corner where three planes meet: the same from all facets that meet there.
   Index vertex_number(std::array<Index, 3> planes, Point3 at) {
-    std::sort(planes.begin(), planes.end());
+    sort(planes);
     const Index center = common_center(planes);
     if (center != kNoIndex) planes = {center, kNoIndex, kNoIndex};
     const auto [it, is_new] =

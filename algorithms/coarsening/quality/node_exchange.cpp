@@ -6,7 +6,7 @@
 
 #include "wellspaced/algorithms/coarsening/quality/refinement.hpp"
 #include "wellspaced/algorithms/coarsening/quality/triangle_shape.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "wellspaced/kernel/graph.hpp"
 #include "wellspaced/kernel/shortest_paths.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/angle.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -254,7 +255,7 @@ std::string worst_of(const std::vector<RuleViolation>& sorted, const PolyhedralC
 
 // The elements of a sorted list that are in it once.
 std::vector<std::array<Index, 2>> lone_ones(std::vector<std::array<Index, 2>> edges) {
-  std::sort(edges.begin(), edges.end());
+  sort(edges);
   std::vector<std::array<Index, 2>> lone;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const bool is_first = i == 0 || edges[i] != edges[i - 1];
@@ -294,9 +295,7 @@ std::vector<RuleViolation> find_rule_violations(const PolyhedralComplex& complex
 
 Error rule_error(const std::vector<RuleViolation>& violations, const PolyhedralComplex& complex) {
   std::vector<RuleViolation> worst = violations;
-  std::stable_sort(worst.begin(), worst.end(), [](const RuleViolation& a, const RuleViolation& b) {
-    return a.cosine > b.cosine;
-  });
+  sort(worst, [](const RuleViolation& a, const RuleViolation& b) { return a.cosine > b.cosine; });
   Error error{ErrorCode::kInvalidGeometry, "", {}};
   for (const RuleViolation& violation : worst) error.ids.push_back(point_of(violation, complex));
   const bool is_one = worst.size() == 1, intersects = worst[0].cosine > kOverlapping;

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -291,8 +291,7 @@ double FeatureSize3::Cursor::at_near(const Place& place, Point3 x) const {
   std::array<std::pair<double, Index>, kMany> by_distance;
   for (std::size_t i = 0; i < count; ++i)
     by_distance[i] = {size_->shapes_[place.items[i]].distance_sq(x), place.items[i]};
-  const auto begin = by_distance.begin();
-  std::sort(begin, begin + static_cast<std::ptrdiff_t>(count));
+  sort(std::span(by_distance).first(count));
   Touching met(*size_);
   for (std::size_t i = 0; i < count; ++i)
     if (!met.add(by_distance[i].second)) return std::sqrt(by_distance[i].first);

@@ -9,7 +9,7 @@
 #include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -55,9 +55,8 @@ Status check_names(const Pls& domain) {
 std::vector<Index> lowest_twins(const std::vector<Point3>& points) {
   std::vector<Index> order(points.size()), twin(points.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return points[a] == points[b] ? a < b : points[a] < points[b];
-  });
+  sort(order,
+       [&](Index a, Index b) { return points[a] == points[b] ? a < b : points[a] < points[b]; });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_same = i > 0 && points[order[i]] == points[order[i - 1]];
     twin[order[i]] = is_same ? twin[order[i - 1]] : order[i];
@@ -217,7 +216,7 @@ bool joins_less(const Segment& s, const Segment& t) {
 std::vector<Segment> distinct_segments(std::vector<Segment> segments) {
   for (Segment& s : segments)
     if (s.a > s.b) std::swap(s.a, s.b);
-  std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) {
+  sort(segments, [](const Segment& s, const Segment& t) {
     return joins_less(s, t) || (!joins_less(t, s) && s.marker > t.marker);
   });
   const auto is_same = [](const Segment& s, const Segment& t) { return s.a == t.a && s.b == t.b; };

@@ -8,7 +8,7 @@
 #include "wellspaced/algorithms/packing/space/far_points.hpp"
 #include "wellspaced/algorithms/packing/space/room_search3.hpp"
 #include "wellspaced/algorithms/packing/space/surface_index.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/circumsphere.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"

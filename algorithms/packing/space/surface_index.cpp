@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -53,7 +54,7 @@ SurfaceIndex::SurfaceIndex(const PackedSurface& surface, const std::vector<Index
     std::array<Index, 3> corners{number[a], number[b], number[c]};
     triangle_spheres_.push_back(
         sphere_around(points[corners[0]], points[corners[1]], points[corners[2]]));
-    std::sort(corners.begin(), corners.end());
+    sort(corners);
     triangles.push_back(corners);
   }
   for (const auto& [a, b] : surface.pieces) {

@@ -11,6 +11,7 @@
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -98,7 +99,7 @@ PackedBoundary SurfacePacking::boundary_of(const PolyhedralComplex::Facet& facet
   for_each_piece([&](Index, const std::array<Index, 2>& piece) {
     if (piece[1] >= complex_.points.size()) on.push_back(piece[1]);
   });
-  std::sort(on.begin(), on.end());
+  sort(on);
   const auto local = [&](Index v) {
     return static_cast<Index>(std::lower_bound(on.begin(), on.end(), v) - on.begin());
   };

@@ -9,7 +9,7 @@
 #include "wellspaced/algorithms/coarsening/contraction.hpp"
 #include "wellspaced/algorithms/coarsening/special_points.hpp"
 #include "wellspaced/kernel/random.hpp"
-#include "wellspaced/kernel/sort_unique.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
