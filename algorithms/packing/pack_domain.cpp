@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
@@ -292,6 +293,22 @@ PackedMesh finish(PackedInterior interior, const Pslg& domain, std::size_t domai
   return packed;
 }
 
+// The distance of each point's nearest neighbour, which its shortest Delaunay edge leads to.
+std::vector<double> shortest_delaunay_edges(const std::vector<Point2>& points) {
+  const auto delaunay = Delaunay2::build(points);
+  if (!delaunay || delaunay->dimension() < 2) return nearest_neighbor_spacing(points);
+  const Triangulation2& topology = delaunay->topology();
+  std::vector<double> shortest(points.size(), std::numeric_limits<double>::infinity());
+  for (Index t = 0; t < topology.size(); ++t)
+    for (unsigned i = 0; i < 3 && !topology.is_ghost(t); ++i) {
+      const Index a = topology.origin({t, i}), b = topology.destination({t, i});
+      const double length = distance(points[a], points[b]);
+      shortest[a] = std::min(shortest[a], length);
+      shortest[b] = std::min(shortest[b], length);
+    }
+  return shortest;
+}
+
 // ---- Scale ---------------------------------------------------------------------------------
 
 // The power of two that makes the extent about 1, where coordinates are so large or small that the
@@ -386,7 +403,7 @@ Result<PackedMesh> pack_domain(const Pslg& domain, const PackingOptions& options
 
 std::vector<double> packed_spacing(const PackedMesh& packed, double beta) {
   const std::vector<Point2>& points = packed.mesh.points;
-  std::vector<double> spacing = nearest_neighbor_spacing(points);
+  std::vector<double> spacing = shortest_delaunay_edges(points);
   for (std::size_t v = 0; v < points.size(); ++v)
     spacing[v] = beta * std::min(packed.radius[v], spacing[v] / 2);
   return euclidean_coarsened_spacing(points, spacing, 1);

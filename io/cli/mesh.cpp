@@ -12,6 +12,7 @@
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/mesh_size.hpp"
 #include "wellspaced/io/cli/mesh_space.hpp"
+#include "wellspaced/io/cli/packing_progress.hpp"
 #include "wellspaced/io/cli/stopwatch.hpp"
 #include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
@@ -141,6 +142,12 @@ void optional_angle(JsonWriter& json, const char* name, std::optional<double> an
   }
 }
 
+// See packing_progress(); measured.
+double node_cost(const Arguments& arguments, const CommonOptions& common) {
+  if (spacing_file(arguments, common)) return 3.5;
+  return common.output.empty() ? 0.5 : 2;
+}
+
 struct MeshRun {
   PackingOptions options;
   PhaseTime read, mesh, write;
@@ -190,8 +197,6 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   const auto input = read_geometry(path, session.reading(Siblings::kIgnored));
   if (!input) return input.error();
   run.read = reading.elapsed();
-  if (!session.options().output.empty())  // to write a mesh takes about a sixth of packing it
-    session.leave_time_to_write(session.options().time_limit.value_or(0) / 6);
   if (input->dimension == 3) return mesh_in_space(path, *input, run.read, arguments, session);
   for (const char* name : {"--flatness", "--report"})
     if (arguments.has(name)) arguments.refuse(name, "is for domains in space");
@@ -199,7 +204,7 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   if (Status status = arguments.status(); !status)
     return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};
   if (Status status = add_size(arguments, session, run.options); !status) return status.error();
-  run.options.progress = session.progress();
+  run.options.progress = packing_progress(session, node_cost(arguments, session.options()));
 
   const MemoryGauge memory;
   const Stopwatch meshing;

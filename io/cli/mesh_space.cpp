@@ -11,6 +11,7 @@
 #include "wellspaced/algorithms/packing/space/pack_domain3.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/mesh_size.hpp"
+#include "wellspaced/io/cli/packing_progress.hpp"
 #include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
@@ -242,7 +243,9 @@ Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseT
     return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};
   if (Status status = add_size_in_space(arguments, input, session, options); !status)
     return status.error();
-  options.progress = session.progress();
+  constexpr double kJudged = 5, kWritten = 9;  // measured
+  options.progress =
+      packing_progress(session, session.options().output.empty() ? kJudged : kWritten);
   Times times;
   times.read = reading;
 

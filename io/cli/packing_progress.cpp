@@ -1,0 +1,48 @@
+#include "wellspaced/io/cli/packing_progress.hpp"
+
+#include <algorithm>
+
+#include "wellspaced/algorithms/generate/point_sets.hpp"
+#include "wellspaced/algorithms/packing/pack_domain.hpp"
+#include "wellspaced/io/cli/stopwatch.hpp"
+
+namespace wellspaced::cli {
+namespace {
+
+constexpr std::size_t kSampleSide = 64;
+
+double seconds_for(const PackedMesh& sample) {
+  const Stopwatch watch;
+  const std::vector<double> spacing = packed_spacing(sample, 2);
+  return watch.elapsed().cpu / static_cast<double>(spacing.size());
+}
+
+// Processor time for the spacing at a node; the least of three.
+double seconds_a_node() {
+  PackedMesh sample;
+  sample.mesh.points = grid_points(kSampleSide, kSampleSide);
+  sample.radius.assign(sample.mesh.points.size(), 1);
+  const double first = seconds_for(sample), second = seconds_for(sample);
+  return std::min({first, second, seconds_for(sample)});
+}
+
+// How much longer things take than their processor time: other programs run, too.
+double load(const PhaseTime& time) {
+  return time.cpu > 0 ? std::max(1.0, time.wall / time.cpu) : 1;
+}
+
+}  // namespace
+
+Progress packing_progress(Session& session, double node_cost) {
+  if (!session.options().time_limit) return session.progress();
+  const Stopwatch watch;
+  const double seconds = node_cost * seconds_a_node();
+  return [&session, watch, seconds, ask = session.progress()](
+             std::string_view phase, std::uint64_t done, std::uint64_t total) {
+    if (phase == "pack")
+      session.leave_time_to_write(load(watch.elapsed()) * seconds * static_cast<double>(done));
+    return ask(phase, done, total);
+  };
+}
+
+}  // namespace wellspaced::cli

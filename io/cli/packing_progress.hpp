@@ -1,0 +1,16 @@
+// Progress of the command mesh, which writes at a limit what it has.
+#pragma once
+
+#include "wellspaced/io/cli/session.hpp"
+#include "wellspaced/kernel/progress.hpp"
+
+namespace wellspaced::cli {
+
+/// The session's progress; where there is a time limit it stops the phase "pack", whose `done` are
+/// nodes, when the time that is left is what is still to be done with so many nodes.
+/// node_cost: that, for one node, in units of what packed_spacing() takes in the plane: how long
+/// that is here and now is measured on a few nodes.
+/// Requires: the session outlives it.
+Progress packing_progress(Session& session, double node_cost);
+
+}  // namespace wellspaced::cli
