@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cassert>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 
 namespace wellspaced {
@@ -27,6 +29,18 @@ struct Error {
   ErrorCode code = ErrorCode::kInternal;
   std::string message;
   std::vector<Index> ids;
+
+  // Compiled once, not wherever a function may end with an error.
+  Error();
+  [[gnu::cold]] Error(ErrorCode c, TextPiece m);
+  [[gnu::cold]] Error(ErrorCode c, TextPiece m, std::vector<Index> i);
+  [[gnu::cold]] Error(ErrorCode c, std::initializer_list<TextPiece> m);
+  [[gnu::cold]] Error(ErrorCode c, std::initializer_list<TextPiece> m, std::vector<Index> i);
+  [[gnu::cold]] Error(const Error&);
+  [[gnu::cold]] Error(Error&&) noexcept;
+  Error& operator=(const Error&);
+  Error& operator=(Error&&) noexcept;
+  [[gnu::cold]] ~Error();
 };
 
 /// A T, or the Error that says why there is none.

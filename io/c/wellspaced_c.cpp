@@ -13,6 +13,7 @@
 #include "wellspaced/io/c/wellspaced.h"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/report/audit_report.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/memory.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/predicates.hpp"
@@ -81,7 +82,7 @@ Progress progress_of(const wellspaced_context& context) {
 
 Status check_counts(std::size_t points, std::size_t others) {
   if (points < kNoIndex && others < kNoIndex) return Ok{};
-  return Error{ErrorCode::kLimit, "more than 4294967294 points, segments or triangles", {}};
+  return Error{ErrorCode::kLimit, "more than 4294967294 points, segments or triangles"};
 }
 
 Result<std::vector<Segment>> take_segments(const uint32_t* ends, const int* markers,
@@ -91,7 +92,7 @@ Result<std::vector<Segment>> take_segments(const uint32_t* ends, const int* mark
     const Segment s{ends[2 * i], ends[2 * i + 1], markers == nullptr ? 0 : markers[i]};
     if (std::max(s.a, s.b) >= points)
       return Error{ErrorCode::kInvalidGeometry,
-                   "segment " + std::to_string(i) + " ends at a point that does not exist",
+                   {"segment ", i, " ends at a point that does not exist"},
                    {static_cast<Index>(i)}};
     segments.push_back(s);
   }
@@ -105,9 +106,8 @@ Result<std::vector<Point>> take_points(const double* coordinates, std::size_t co
   for (std::size_t i = 0; i < count; ++i) {
     const double* const p = coordinates + kDimension * i;
     if (!std::all_of(p, p + kDimension, [](double c) { return std::isfinite(c); }))
-      return Error{ErrorCode::kInvalidGeometry,
-                   "point " + std::to_string(i) + " is not finite",
-                   {static_cast<Index>(i)}};
+      return Error{
+          ErrorCode::kInvalidGeometry, {"point ", i, " is not finite"}, {static_cast<Index>(i)}};
     points.push_back(at(p));
   }
   return points;
@@ -152,10 +152,10 @@ std::span<const Segment> held_segments(const wellspaced_context& context) {
 
 Status coarsen_held(wellspaced_context& context, const CoarseningOptions& options) {
   if (!is_plane(context) || held_mesh(context).triangles.empty())
-    return Error{ErrorCode::kUsage, "there is no triangle mesh to coarsen", {}};
+    return Error{ErrorCode::kUsage, "there is no triangle mesh to coarsen"};
   auto hierarchy = coarsen(held_mesh(context), options);
   if (!hierarchy) return hierarchy.error();
-  if (!hierarchy->complete) return Error{ErrorCode::kCancelled, "coarsening was cancelled", {}};
+  if (!hierarchy->complete) return Error{ErrorCode::kCancelled, "coarsening was cancelled"};
   context.hierarchy = *std::move(hierarchy);
   context.level = context.hierarchy.levels.size() - 1;
   context.report.clear();
@@ -236,7 +236,7 @@ wellspaced_status wellspaced_triangulate2(wellspaced_context* context, const dou
   return run_on(context, [&]() -> Status {
     if (Status status = check_counts(point_count, segment_count); !status) return status;
     if (holes < WELLSPACED_HOLES_NONE || holes > WELLSPACED_HOLES_OUTER)
-      return Error{ErrorCode::kUsage, "the rule for holes does not exist", {}};
+      return Error{ErrorCode::kUsage, "the rule for holes does not exist"};
     Pslg graph;
     auto taken = take_points2(points, point_count);
     auto ends = take_segments(segments, segment_markers, segment_count, point_count);
@@ -316,10 +316,9 @@ wellspaced_status wellspaced_set_tet_mesh(wellspaced_context* context, const dou
     geometry.solid.points = *std::move(taken);
     for (const uint32_t* t = tets; t != tets + 4 * tet_count; t += 4) {
       if (std::any_of(t, t + 4, [&](uint32_t v) { return v >= point_count; }))
-        return Error{
-            ErrorCode::kInvalidGeometry,
-            "tetrahedron " + std::to_string((t - tets) / 4) + " has a corner that does not exist",
-            {static_cast<Index>((t - tets) / 4)}};
+        return Error{ErrorCode::kInvalidGeometry,
+                     {"tetrahedron ", (t - tets) / 4, " has a corner that does not exist"},
+                     {static_cast<Index>((t - tets) / 4)}};
       geometry.solid.tets.push_back({t[0], t[1], t[2], t[3]});
     }
     hold(*context, std::move(geometry));
@@ -346,7 +345,7 @@ size_t wellspaced_level_count(const wellspaced_context* context) {
 wellspaced_status wellspaced_select_level(wellspaced_context* context, size_t level) {
   return run_on(context, [&]() -> Status {
     if (level >= context->hierarchy.levels.size())
-      return Error{ErrorCode::kUsage, "there is no level " + std::to_string(level), {}};
+      return Error{ErrorCode::kUsage, {"there is no level ", level}};
     context->level = level;
     context->report.clear();
     return Ok{};
@@ -356,7 +355,7 @@ wellspaced_status wellspaced_select_level(wellspaced_context* context, size_t le
 wellspaced_status wellspaced_audit(wellspaced_context* context, int* pass) {
   return run_on(context, [&]() -> Status {
     const audit::Report report = audit_held(*context);
-    if (!report.complete) return Error{ErrorCode::kCancelled, "the audit was cancelled", {}};
+    if (!report.complete) return Error{ErrorCode::kCancelled, "the audit was cancelled"};
     JsonWriter json;
     json.begin_object();
     append_audit_json(json, report);

@@ -7,6 +7,7 @@
 #include "wellspaced/io/text/numbers.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -23,7 +24,7 @@ constexpr std::array kCommonOptions = {
     Option{"--help", "", "print this help"},
 };
 
-Error usage(std::string message) { return {ErrorCode::kUsage, std::move(message), {}}; }
+Error usage(std::string message) { return {ErrorCode::kUsage, std::move(message)}; }
 
 const Option* find(std::span<const Option> options, std::string_view name) {
   const auto found = std::find_if(options.begin(), options.end(),
@@ -41,8 +42,8 @@ bool is_option(std::string_view word) { return word.size() > 1 && word[0] == '-'
 
 std::string describe(Range range) {
   const std::string low = shortest(range.low), high = shortest(range.high);
-  if (std::isinf(range.high)) return (range.low_is_legal ? "at least " : "more than ") + low;
-  return "between " + low + " and " + high;
+  if (std::isinf(range.high)) return concat({range.low_is_legal ? "at least " : "more than ", low});
+  return concat({"between ", low, " and ", high});
 }
 
 bool contains(Range range, double value) {
@@ -72,16 +73,17 @@ Result<Arguments> Arguments::parse(std::span<const Option> options,
     const std::string name(long_name(std::string_view(word).substr(0, equals)));
     const Option* option = find(options, name);
     if (option == nullptr) option = find(kCommonOptions, name);
-    if (option == nullptr) return usage("unknown option " + in_quotes(name) + "; see --help");
+    if (option == nullptr)
+      return usage(concat({"unknown option ", in_quotes(name), "; see --help"}));
     if (option->times == Option::Times::kOnce && result.has(name))
-      return usage(name + " is given twice");
+      return usage(concat({name, " is given twice"}));
     std::string value;
     if (option->value.empty()) {
-      if (equals != std::string::npos) return usage(name + " takes no value");
+      if (equals != std::string::npos) return usage(concat({name, " takes no value"}));
     } else if (equals != std::string::npos) {
       value = word.substr(equals + 1);
     } else {
-      if (++i == words.size()) return usage(name + " needs a value: " + std::string(option->value));
+      if (++i == words.size()) return usage(concat({name, " needs a value: ", option->value}));
       value = words[i];
     }
     result.given_.emplace_back(name, std::move(value));
@@ -111,9 +113,9 @@ std::string Arguments::text(std::string_view name, std::string_view otherwise) c
 double Arguments::checked_number(std::string_view name, std::string_view text, Range range) {
   const auto [value, status] = parse_number(text);
   if (status != NumberStatus::kOk) {
-    refuse(name, in_quotes(text) + " is not a number");
+    refuse(name, concat({in_quotes(text), " is not a number"}));
   } else if (!contains(range, value)) {
-    refuse(name, in_quotes(text) + " should be " + describe(range));
+    refuse(name, concat({in_quotes(text), " should be ", describe(range)}));
   }
   return value;
 }
@@ -128,9 +130,9 @@ std::int64_t Arguments::integer(std::string_view name, std::int64_t otherwise, R
   if (!given) return otherwise;
   const auto integer = parse_integer(*given);
   if (!integer) {
-    refuse(name, in_quotes(*given) + " is not an integer");
+    refuse(name, concat({in_quotes(*given), " is not an integer"}));
   } else if (!contains(range, static_cast<double>(*integer))) {
-    refuse(name, in_quotes(*given) + " should be " + describe(range));
+    refuse(name, concat({in_quotes(*given), " should be ", describe(range)}));
   }
   return integer.value_or(otherwise);
 }
@@ -142,9 +144,8 @@ std::size_t Arguments::choice(std::string_view name, std::size_t otherwise,
   const auto found = std::find(names.begin(), names.end(), *given);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   std::string list;
-  for (const std::string_view legal : names)
-    list += (list.empty() ? "" : ", ") + std::string(legal);
-  refuse(name, in_quotes(*given) + " is none of " + list);
+  for (const std::string_view legal : names) append(list, {list.empty() ? "" : ", ", legal});
+  refuse(name, concat({in_quotes(*given), " is none of ", list}));
   return otherwise;
 }
 
@@ -162,7 +163,7 @@ std::vector<double> Arguments::numbers(std::string_view name, Range range) {
 }
 
 void Arguments::refuse(std::string_view name, std::string_view complaint) {
-  if (!complaint_) complaint_ = usage(std::string(name) + ": " + std::string(complaint));
+  if (!complaint_) complaint_ = usage(concat({name, ": ", complaint}));
 }
 
 Status Arguments::status() const {

@@ -25,6 +25,7 @@
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/formats/vtk.hpp"
 #include "wellspaced/io/report/audit_report.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -95,10 +96,9 @@ Status read_domain(const std::string& path, double flatness, Session& session, D
 Status check_dimension(const Demands& demands, int dimension) {
   if (dimension == 2 ? !demands.solid_domain : !demands.domain) return Ok{};
   return Error{ErrorCode::kUsage,
-               std::string("audit: --domain names a domain in ") +
-                   (dimension == 2 ? "space, but the mesh lies in the plane"
-                                   : "the plane, but the mesh lies in space"),
-               {}};
+               {"audit: --domain names a domain in ",
+                dimension == 2 ? "space, but the mesh lies in the plane"
+                               : "the plane, but the mesh lies in space"}};
 }
 
 Result<Demands> read_demands(Arguments& arguments, Session& session) {
@@ -130,8 +130,9 @@ void turn_if_needed(Geometry& geometry, const std::string& name, Session& sessio
     for (auto& t : geometry.mesh.triangles) std::swap(t[1], t[2]);
   if (negative)
     for (auto& t : geometry.solid.tets) std::swap(t[2], t[3]);
-  if (clockwise) session.note(name + ": all triangles were clockwise and have been turned");
-  if (negative) session.note(name + ": all tetrahedra were negative and have been turned");
+  if (clockwise)
+    session.note(concat({name, ": all triangles were clockwise and have been turned"}));
+  if (negative) session.note(concat({name, ": all tetrahedra were negative and have been turned"}));
 }
 
 // Makes checks required and adds those of bounds; about: the mesh, if the report is about one.
@@ -207,7 +208,7 @@ Status add_spacing(const Demands& demands, const Mesh& mesh, audit::Report& repo
 template <class Mesh>
 Result<audit::Report> finish(audit::Report report, const Mesh& mesh, const Demands& demands,
                              Session& session) {
-  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled"};
   if (Status status = add_spacing(demands, mesh, report); !status) return status.error();
   if (Status status = apply(demands, report, mesh); !status) return status.error();
   if (Status status = write_picture(demands, mesh, report, session); !status) return status.error();
@@ -217,7 +218,7 @@ Result<audit::Report> finish(audit::Report report, const Mesh& mesh, const Deman
 // A point set can be audited for its spacing alone: it gets a mesh.
 Status mesh_points(const std::string& path, const Demands& demands, Geometry& geometry) {
   if (demands.spacing.empty())
-    return Error{ErrorCode::kUnreadable, display_name(path) + ": holds no mesh to audit", {}};
+    return Error{ErrorCode::kUnreadable, {display_name(path), ": holds no mesh to audit"}};
   if (geometry.dimension == 3) {
     auto mesh = audit::mesh_of_points(geometry.solid.points);
     if (!mesh) return mesh.error();
@@ -282,7 +283,7 @@ audit::HierarchyAuditOptions options_for(const HierarchyInput& input, const Dema
 Result<audit::Report> audit_directory(const std::string& path, const Demands& demands,
                                       Session& session) {
   if (!demands.vtu.empty())
-    return Error{ErrorCode::kUsage, "audit: --vtu takes a mesh; name a level of the hierarchy", {}};
+    return Error{ErrorCode::kUsage, "audit: --vtu takes a mesh; name a level of the hierarchy"};
   const auto input = read_hierarchy(path, session.progress());
   if (!input && input.error().code == ErrorCode::kInvalidGeometry)
     return report_on(input.error(), session);
@@ -291,7 +292,7 @@ Result<audit::Report> audit_directory(const std::string& path, const Demands& de
   audit::HierarchyAuditOptions options = options_for(*input, demands);
   options.progress = session.progress();
   audit::Report report = audit::audit_hierarchy(input->levels, options);
-  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled"};
   if (Status status = apply(demands, report); !status) return status.error();
   return report;
 }
@@ -333,14 +334,14 @@ Result<int> run_audit(Arguments& arguments, Session& session) {
   if (!demands) return demands.error();
   const std::vector<std::string>& paths = arguments.operands();
   if (paths.size() > 1 && !demands->vtu.empty())
-    return Error{ErrorCode::kUsage, "audit: --vtu takes one input", {}};
+    return Error{ErrorCode::kUsage, "audit: --vtu takes one input"};
   std::vector<audit::Report> reports;
   std::string tables;
   for (const std::string& path : paths) {
     auto report = is_directory(path) ? audit_directory(path, *demands, session)
                                      : audit_file(path, *demands, session);
     if (!report) return report.error();
-    tables += (paths.size() > 1 ? path + "\n" : "") + audit_table(*report);
+    append(tables, {paths.size() > 1 ? concat({path, "\n"}) : "", audit_table(*report)});
     reports.push_back(std::move(*report));
   }
   if (Status status = publish(tables, session); !status) return status.error();

@@ -15,6 +15,7 @@
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/hierarchy_files.hpp"
 #include "wellspaced/io/report/table_text.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/graph.hpp"
 
 namespace wellspaced::cli {
@@ -58,18 +59,18 @@ void warn_of_drift(const SolverHierarchy& solver, Session& session) {
     worst = k;
   }
   if (worst == 0) return;
-  session.note("the domain of level " + std::to_string(worst) + " has " +
-               decimal(100 * solver.levels[worst].area_kept, 1) +
-               "% of its area; --keep-boundary 0.02 keeps it within 2%");
+  session.note(concat({"the domain of level ", worst, " has ",
+                       decimal(100 * solver.levels[worst].area_kept, 1),
+                       "% of its area; --keep-boundary 0.02 keeps it within 2%"}));
 }
 
 // Of the levels that have too few nodes for the angles sought.
 void warn_of_angles(const CoarsenRun& run, Session& session) {
   const std::size_t needed = run.hierarchy.nodes_for_angles;
   if (run.hierarchy.levels.back().mesh.points.size() >= needed) return;
-  session.note("levels of fewer than about " + std::to_string(needed) +
-               " nodes cannot keep angles of " + shortest(run.options.angle_deg) +
-               " degrees on this mesh: its special points ask for so many");
+  session.note(
+      concat({"levels of fewer than about ", needed, " nodes cannot keep angles of ",
+              run.options.angle_deg, " degrees on this mesh: its special points ask for so many"}));
 }
 
 // Where that is cut short, what there is of it is dropped, and the run is incomplete.
@@ -130,9 +131,9 @@ Status write_files(std::span<const CoarsenRun> runs, const HierarchyFormat& comm
 Result<int> run_coarsen(Arguments& arguments, Session& session) {
   CoarsenRequest request = read_coarsen_request(arguments, session.options().seed);
   if (Status status = arguments.status(); !status)
-    return Error{ErrorCode::kUsage, "coarsen: " + status.error().message, {}};
+    return Error{ErrorCode::kUsage, {"coarsen: ", status.error().message}};
   if (session.options().output == "-")
-    return Error{ErrorCode::kUsage, "coarsen: -o names a directory, not the standard output", {}};
+    return Error{ErrorCode::kUsage, "coarsen: -o names a directory, not the standard output"};
   const Stopwatch reading;
   const auto geometry = read_mesh(arguments.operands()[0], session.reading());
   if (!geometry) return geometry.error();

@@ -10,6 +10,7 @@
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/hierarchy_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -30,10 +31,10 @@ std::vector<CoarseningMethod> read_methods(Arguments& arguments, const std::stri
       methods.push_back(*found);
       continue;
     }
-    arguments.refuse("--method",
-                     in_quotes(text) +
-                         " should be function, mis, threshold, quasi-uniform, quadtree or " +
-                         "refinement, or several of them, each once, separated by commas");
+    arguments.refuse(
+        "--method",
+        concat({in_quotes(text), " should be function, mis, threshold, quasi-uniform, quadtree or ",
+                "refinement, or several of them, each once, separated by commas"}));
     break;
   }
   return methods;
@@ -63,7 +64,8 @@ std::vector<std::size_t> read_targets(Arguments& arguments) {
     std::uint64_t nodes = 0;
     const auto [stop, error] = std::from_chars(word.data(), end, nodes);
     if (error != std::errc() || stop != end) {
-      arguments.refuse("--targets", in_quotes(list) + " should be numbers separated by commas");
+      arguments.refuse("--targets",
+                       concat({in_quotes(list), " should be numbers separated by commas"}));
       return {};
     }
     targets.push_back(nodes);
@@ -79,7 +81,8 @@ std::vector<const MatrixFormat*> read_matrix_formats(Arguments& arguments,
   for (const std::string& name : words_of(list)) {
     const MatrixFormat* format = find_matrix_format(name);
     if (format == nullptr) {
-      arguments.refuse("--transfers", in_quotes(name) + " should be mtx, petsc, npz or none");
+      arguments.refuse("--transfers",
+                       concat({in_quotes(name), " should be mtx, petsc, npz or none"}));
       return {};
     }
     if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
@@ -163,8 +166,8 @@ Result<std::vector<Index>> read_fixed_points(const std::string& path, std::size_
       const std::int64_t node = scanner.integer("fixed point");
       if (node < 0 || static_cast<std::uint64_t>(node) >= nodes)
         scanner.fail(ErrorCode::kInvalidGeometry,
-                     "fixed point " + std::to_string(node) + " is out of range: the mesh has " +
-                         std::to_string(nodes) + " nodes, numbered from 0");
+                     {"fixed point ", node, " is out of range: the mesh has ", nodes,
+                      " nodes, numbered from 0"});
       fixed.push_back(static_cast<Index>(node));
     }
   }

@@ -8,6 +8,7 @@
 #include "wellspaced/io/report/selection_table.hpp"
 #include "wellspaced/io/report/solver_table.hpp"
 #include "wellspaced/io/report/table_text.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -15,8 +16,8 @@ namespace {
 std::string title(const CoarsenRun& run) {
   const CoarseningOptions& options = run.options;
   if (options.method == CoarseningMethod::kRefinement)
-    return "refinement: angle " + shortest(options.angle_deg) + ", beta " + shortest(options.beta) +
-           ", seed " + std::to_string(options.seed);
+    return concat({"refinement: angle ", options.angle_deg, ", beta ", options.beta, ", seed ",
+                   options.seed});
   const bool mis = options.method == CoarseningMethod::kMis;
   std::string text = mis ? "MIS" : std::string(name_of(options.method));
   if (mis || options.method == CoarseningMethod::kFunction) text += "-based";
@@ -25,9 +26,8 @@ std::string title(const CoarsenRun& run) {
   if (options.metric != SpacingMetric::kGraph)
     text.append(", ").append(name_of(options.metric)).append(" metric");
   text += ": ";
-  if (!mis) text += "beta " + shortest(options.beta) + ", C " + shortest(options.factor) + ", ";
-  return text + "R " + shortest(protection_ratio(options)) + ", seed " +
-         std::to_string(options.seed);
+  if (!mis) append(text, {"beta ", options.beta, ", C ", options.factor, ", "});
+  return concat({text, "R ", protection_ratio(options), ", seed ", options.seed});
 }
 
 void write_optional(JsonWriter& json, std::string_view name, const std::optional<double>& value) {
@@ -171,7 +171,7 @@ Status write_report(const std::string& path, const std::string& input,
                     std::span<const CoarsenRun> runs, Session& session) {
   const std::string name = std::filesystem::path(display_name(input)).filename().string();
   const LevelStatistics& finest = runs[0].statistics[0];
-  HtmlReport report{.title = "Coarsening of " + name,
+  HtmlReport report{.title = concat({"Coarsening of ", name}),
                     .parameters = {{"file", name},
                                    {"nodes", std::to_string(finest.nodes)},
                                    {"triangles", std::to_string(finest.triangles)},

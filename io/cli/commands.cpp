@@ -2,6 +2,7 @@
 
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 
@@ -27,7 +28,7 @@ std::span<const Command* const> commands() { return kCommands; }
 Error in_file(const Error& error, const std::string& path) {
   if (error.code == ErrorCode::kCancelled || error.code == ErrorCode::kUsage) return error;
   const std::string counted = error.ids.empty() ? "" : " (counted from 0)";
-  return {error.code, display_name(path) + ": " + error.message + counted, error.ids};
+  return {error.code, {display_name(path), ": ", error.message, counted}, error.ids};
 }
 
 int exit_code(ErrorCode code) {

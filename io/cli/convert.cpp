@@ -18,7 +18,7 @@ Result<std::string> find_target(const Arguments& arguments, const Session& sessi
   const auto& operands = arguments.operands();
   const std::string& option = session.options().output;
   if ((operands.size() == 2) != option.empty())
-    return Error{ErrorCode::kUsage, "convert: name one output, as OUT or with -o", {}};
+    return Error{ErrorCode::kUsage, "convert: name one output, as OUT or with -o"};
   return option.empty() ? operands[1] : option;
 }
 

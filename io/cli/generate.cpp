@@ -13,6 +13,7 @@
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/text/numbers.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -267,19 +268,17 @@ Result<const Kind*> find_kind(const Arguments& arguments) {
     if (kind.name != name) continue;
     for (const Option& option : kGenerateOptions)
       if (arguments.has(option.name) && !takes(kind, option.name))
-        return Error{
-            ErrorCode::kUsage, "generate: " + std::string(option.name) + " is not for " + name, {}};
+        return Error{ErrorCode::kUsage, {"generate: ", option.name, " is not for ", name}};
     return &kind;
   }
-  return Error{
-      ErrorCode::kUsage, "generate: " + in_quotes(name) + " is none of " + names_of_kinds(), {}};
+  return Error{ErrorCode::kUsage,
+               {"generate: ", in_quotes(name), " is none of ", names_of_kinds()}};
 }
 
 Status write_summary(std::string_view kind, const Geometry& geometry, Session& session) {
   const std::size_t points = geometry.point_count(), triangles = geometry.mesh.triangles.size();
-  session.print(std::string(kind) + ": " + std::to_string(points) + " points, " +
-                std::to_string(triangles) + " triangles, " +
-                std::to_string(geometry.mesh.segments.size()) + " segments\n");
+  session.print(concat({kind, ": ", points, " points, ", triangles, " triangles, ",
+                        geometry.mesh.segments.size(), " segments\n"}));
   JsonWriter json;
   json.begin_object().field("kind", kind).field("points", points).field("triangles", triangles);
   json.field("segments", geometry.mesh.segments.size());
@@ -298,7 +297,7 @@ Result<int> run_generate(Arguments& arguments, Session& session) {
   const auto kind = find_kind(arguments);
   if (!kind) return kind.error();
   if (session.options().output.empty())
-    return Error{ErrorCode::kUsage, "generate: name the output with -o", {}};
+    return Error{ErrorCode::kUsage, "generate: name the output with -o"};
   const auto geometry = (*kind)->make({arguments, session});
   if (!geometry) return geometry.error();
   const Status written = write_geometry(session.outputs(), session.options().output,

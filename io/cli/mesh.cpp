@@ -18,6 +18,7 @@
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/kernel/angle.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -180,13 +181,12 @@ JsonWriter mesh_json(const PackedMesh& packed, const Geometry& input, const Mesh
 }
 
 std::string mesh_text(const PackedMesh& packed) {
-  std::string text = std::to_string(packed.mesh.points.size()) + " nodes, " +
-                     std::to_string(packed.mesh.triangles.size()) + " triangles, " +
-                     std::to_string(packed.mesh.segments.size()) + " boundary edges\n";
+  std::string text = concat({packed.mesh.points.size(), " nodes, ", packed.mesh.triangles.size(),
+                             " triangles, ", packed.mesh.segments.size(), " boundary edges\n"});
   if (!packed.without_guarantee.empty())
-    text += std::to_string(packed.without_guarantee.size()) +
-            (packed.without_guarantee.size() == 1 ? " triangle has" : " triangles have") +
-            " an angle below the one wanted (--json lists them)\n";
+    append(text, {packed.without_guarantee.size(),
+                  packed.without_guarantee.size() == 1 ? " triangle has" : " triangles have",
+                  " an angle below the one wanted (--json lists them)\n"});
   return text;
 }
 
@@ -202,7 +202,7 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
     if (arguments.has(name)) arguments.refuse(name, "is for domains in space");
   run.options = read_packing_options(arguments, *input);
   if (Status status = arguments.status(); !status)
-    return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};
+    return Error{ErrorCode::kUsage, {"mesh: ", status.error().message}};
   if (Status status = add_size(arguments, session, run.options); !status) return status.error();
   run.options.progress = packing_progress(session, node_cost(arguments, session.options()));
 
@@ -213,8 +213,9 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   run.mesh = meshing.elapsed();
   run.peak_bytes = memory.peak();
   if (packed->was_cancelled && session.stopped() == StopReason::kInterrupted)
-    return Error{ErrorCode::kCancelled, "cancelled", {}};
-  for (const std::string& note : packed->notes) session.note(display_name(path) + ": " + note);
+    return Error{ErrorCode::kCancelled, "cancelled"};
+  for (const std::string& note : packed->notes)
+    session.note(concat({display_name(path), ": ", note}));
 
   const Stopwatch writing;
   const Status written = write_mesh_files(*packed, *input, run.options.beta, arguments, session);

@@ -6,6 +6,7 @@
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/text/numbers.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 
@@ -15,7 +16,7 @@ Result<WantedSize> read_size(int dimension, const Arguments& arguments, Session&
   if (!value) return wanted;
   const ParsedNumber number = parse_number(*value);
   if (number.status == NumberStatus::kOk) {
-    if (!(number.value > 0)) return Error{ErrorCode::kUsage, "mesh: --size must be positive", {}};
+    if (!(number.value > 0)) return Error{ErrorCode::kUsage, "mesh: --size must be positive"};
     wanted.constant = number.value;
     return wanted;
   }
@@ -24,9 +25,8 @@ Result<WantedSize> read_size(int dimension, const Arguments& arguments, Session&
   const Attributes& attributes = background->point_attributes;
   if (background->dimension != dimension || attributes.columns == 0)
     return Error{ErrorCode::kUsage,
-                 display_name(*value) + ": a size needs points in " +
-                     (dimension == 2 ? "the plane" : "space") + " with an attribute, the size",
-                 {}};
+                 {display_name(*value), ": a size needs points in ",
+                  dimension == 2 ? "the plane" : "space", " with an attribute, the size"}};
   wanted.sizes.resize(background->point_count());
   for (std::size_t v = 0; v < wanted.sizes.size(); ++v)
     wanted.sizes[v] = attributes.values[v * attributes.columns];

@@ -18,6 +18,7 @@
 #include "wellspaced/io/report/solid_report.hpp"
 #include "wellspaced/io/report/table_text.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -200,15 +201,15 @@ JsonWriter space_json(const PackedTets& packed, const Geometry& input,
 }
 
 std::string space_text(const PackedTets& packed, double beta, const ShapeSummary& shape) {
-  std::string text = std::to_string(packed.mesh.points.size()) + " nodes, " +
-                     std::to_string(packed.mesh.tets.size()) + " tets, " +
-                     std::to_string(packed.mesh.facets.size()) + " boundary faces\n" +
-                     "circumradius / shortest edge at most " + decimal(shape.radius_edge);
-  if (const auto bound = radius_edge_bound(beta)) text += " (proven: " + decimal(*bound) + ")";
+  std::string text = concat({packed.mesh.points.size(), " nodes, ", packed.mesh.tets.size(),
+                             " tets, ", packed.mesh.facets.size(), " boundary faces\n",
+                             "circumradius / shortest edge at most ", decimal(shape.radius_edge)});
+  if (const auto bound = radius_edge_bound(beta))
+    append(text, {" (proven: ", decimal(*bound), ")"});
   text += '\n';
   if (!shape.slivers.empty())
-    text += std::to_string(shape.slivers.size()) +
-            " tets are slivers, which such a bound permits (--json lists them)\n";
+    append(text, {shape.slivers.size(),
+                  " tets are slivers, which such a bound permits (--json lists them)\n"});
   return text;
 }
 
@@ -218,7 +219,7 @@ Status write_solid_report(const std::string& report_path, const std::string& pat
   const std::string name = std::filesystem::path(display_name(path)).filename().string();
   const auto bound = radius_edge_bound(options.beta);
   SolidReport report{
-      .title = "Mesh of " + name,
+      .title = concat({"Mesh of ", name}),
       .parameters = {{"domain", name},
                      {"nodes", std::to_string(packed.mesh.points.size())},
                      {"tets", std::to_string(packed.mesh.tets.size())},
@@ -240,7 +241,7 @@ Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseT
                           Arguments& arguments, Session& session) {
   PackingOptions3 options = read_options(arguments);
   if (Status status = arguments.status(); !status)
-    return Error{ErrorCode::kUsage, "mesh: " + status.error().message, {}};
+    return Error{ErrorCode::kUsage, {"mesh: ", status.error().message}};
   if (Status status = add_size_in_space(arguments, input, session, options); !status)
     return status.error();
   constexpr double kJudged = 5, kWritten = 9;  // measured
@@ -256,8 +257,9 @@ Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseT
   times.mesh = meshing.elapsed();
   times.peak_bytes = memory.peak();
   if (packed->was_cancelled && session.stopped() == StopReason::kInterrupted)
-    return Error{ErrorCode::kCancelled, "cancelled", {}};
-  for (const std::string& note : packed->notes) session.note(display_name(path) + ": " + note);
+    return Error{ErrorCode::kCancelled, "cancelled"};
+  for (const std::string& note : packed->notes)
+    session.note(concat({display_name(path), ": ", note}));
 
   const Stopwatch writing;
   const Status written = write_files(*packed, input, options.beta, arguments, session);

@@ -4,6 +4,7 @@
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced::cli {
@@ -53,7 +54,7 @@ int read_and_decide(Scanner& scanner, const Predicate& predicate) {
   for (std::size_t i = 0; i < predicate.coordinates; ++i) c[i] = scanner.number("coordinate");
   if (scanner.more())
     scanner.fail(ErrorCode::kUnreadable,
-                 "more than " + std::to_string(predicate.coordinates) + " coordinates on a line");
+                 {"more than ", predicate.coordinates, " coordinates on a line"});
   return scanner.ok() ? predicate.sign(c) : 0;
 }
 
@@ -61,9 +62,8 @@ Result<int> run_predicate(Arguments& arguments, Session& session) {
   const Predicate* const predicate = find_predicate(arguments.operands()[0]);
   if (predicate == nullptr)
     return Error{ErrorCode::kUsage,
-                 "predicate: " + in_quotes(arguments.operands()[0]) +
-                     " is none of orient2d, incircle, orient3d, insphere",
-                 {}};
+                 {"predicate: ", in_quotes(arguments.operands()[0]),
+                  " is none of orient2d, incircle, orient3d, insphere"}};
   const std::string& path = arguments.operands()[1];
   const auto text = read_input(path, session.largest_input());
   if (!text) return text.error();

@@ -7,6 +7,7 @@
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/process.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/memory.hpp"
 
 namespace wellspaced::cli {
@@ -18,26 +19,25 @@ constexpr const char* kExitCodes =
     "4 invalid geometry, 5 a limit was hit, 6 internal error.\n";
 
 std::string padded(std::string text) {
-  if (text.size() < kHelpColumn) return text + std::string(kHelpColumn - text.size(), ' ');
-  return text + '\n' + std::string(kHelpColumn, ' ');
+  if (text.size() < kHelpColumn) return concat({text, std::string(kHelpColumn - text.size(), ' ')});
+  return concat({text, '\n', std::string(kHelpColumn, ' ')});
 }
 
 std::string help_of(std::span<const Option> options) {
   std::string text;
   for (const Option& option : options) {
-    std::string head = "  " + std::string(option.name);
-    if (!option.value.empty()) head += ' ' + std::string(option.value);
-    text += padded(head) + std::string(option.help) + '\n';
+    std::string head = concat({"  ", option.name});
+    if (!option.value.empty()) append(head, {' ', option.value});
+    append(text, {padded(head), option.help, '\n'});
   }
   return text;
 }
 
 std::string help_of(const Command& command) {
-  std::string text = "usage: wellspaced " + std::string(command.name) + ' ' +
-                     std::string(command.operands) + " [options]\n" + std::string(command.summary) +
-                     "\n";
-  if (!command.options.empty()) text += "\noptions:\n" + help_of(command.options);
-  return text + "\ncommon options:\n" + help_of(common_options()) + '\n' + kExitCodes;
+  std::string text = concat({"usage: wellspaced ", command.name, ' ', command.operands,
+                             " [options]\n", command.summary, "\n"});
+  if (!command.options.empty()) append(text, {"\noptions:\n", help_of(command.options)});
+  return concat({text, "\ncommon options:\n", help_of(common_options()), '\n', kExitCodes});
 }
 
 std::string help_of_program() {
@@ -45,12 +45,12 @@ std::string help_of_program() {
       "usage: wellspaced COMMAND [INPUT] [options]\n"
       "Well-spaced points and well-shaped meshes.\n\ncommands:\n";
   for (const Command* command : commands())
-    text += padded("  " + std::string(command->name) + ' ' + std::string(command->operands)) +
-            std::string(command->summary) + '\n';
-  return text +
-         "\nwellspaced COMMAND --help lists the options of a command; --version prints the "
-         "version.\n" +
-         kExitCodes;
+    append(text,
+           {padded(concat({"  ", command->name, ' ', command->operands})), command->summary, '\n'});
+  return concat({text,
+                 "\nwellspaced COMMAND --help lists the options of a command; --version prints the "
+                 "version.\n",
+                 kExitCodes});
 }
 
 const Command* find_command(std::string_view name) {
@@ -71,14 +71,14 @@ int complain(const Error& error) {
 }
 
 Error usage(const Command& command, const std::string& message) {
-  return {ErrorCode::kUsage, std::string(command.name) + ": " + message, {}};
+  return {ErrorCode::kUsage, {command.name, ": ", message}};
 }
 
 Status check_operands(const Command& command, const Arguments& arguments) {
   const std::size_t count = arguments.operands().size();
   if (count >= command.least_operands && count <= command.most_operands) return Ok{};
-  return usage(command, "takes " + std::string(command.operands) + ", but " +
-                            std::to_string(count) + " operands are given; see --help");
+  return usage(command, concat({"takes ", command.operands, ", but ", count,
+                                " operands are given; see --help"}));
 }
 
 int run(const Command& command, std::span<const std::string> words) {
@@ -105,9 +105,8 @@ int run(std::span<const std::string> words) {
     return print(help_of_program());
   if (words[0] == "--version") return print("wellspaced " WELLSPACED_VERSION "\n");
   if (const Command* command = find_command(words[0])) return run(*command, words.subspan(1));
-  return complain({ErrorCode::kUsage,
-                   "unknown command " + in_quotes(words[0]) + "; see wellspaced --help",
-                   {}});
+  return complain(
+      {ErrorCode::kUsage, {"unknown command ", in_quotes(words[0]), "; see wellspaced --help"}});
 }
 
 }  // namespace

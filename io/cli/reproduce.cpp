@@ -11,6 +11,7 @@
 #include "wellspaced/io/reproduce/chapter_page.hpp"
 #include "wellspaced/io/reproduce/exhibit_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -36,7 +37,7 @@ LaboratoryOptions read_options(Arguments& arguments, Session& session) {
 std::string names_of_exhibits() {
   std::string names;
   for (const ExhibitKind& kind : exhibit_kinds()) names.append(kind.name).append(", ");
-  return names + "all";
+  return concat({names, "all"});
 }
 
 std::vector<const ExhibitKind*> find_exhibits(const std::string& name) {
@@ -78,44 +79,44 @@ Status write_summary(std::span<const Exhibit> exhibits, Session& session) {
 ChapterPage page_of(std::span<const Exhibit> exhibits, const LaboratoryOptions& options) {
   ChapterPage page{{}, exhibits};
   page.parameters = {
-      {"program", "wellspaced " + options.version},
-      {"runs", std::to_string(options.runs) + " where the thesis made 30; in proportion elsewhere"},
+      {"program", concat({"wellspaced ", options.version})},
+      {"runs", concat({options.runs, " where the thesis made 30; in proportion elsewhere"})},
       {"first seed", std::to_string(options.seed)},
       {"meshes", options.data.empty() ? "stand-ins made by wellspaced generate"
                                       : "the original ones, as far as they survive"},
-      {"grids", shortest(1000 * options.scale) + " nodes a side"}};
+      {"grids", concat({1000 * options.scale, " nodes a side"})}};
   return page;
 }
 
 std::string chapter_text(std::span<const Exhibit> exhibits, const LaboratoryOptions& options) {
-  return agreement_text(agreement_of(exhibits)) + '\n' + std::to_string(exhibits.size()) +
-         " tables and figures: " + options.directory + "/index.html\n";
+  return concat({agreement_text(agreement_of(exhibits)), '\n', exhibits.size(),
+                 " tables and figures: ", options.directory, "/index.html\n"});
 }
 
 // The page of all exhibits, beside their files.
 Status write_page(std::span<const Exhibit> exhibits, const LaboratoryOptions& options,
                   OutputSet& outputs) {
   const std::string html = chapter_html(page_of(exhibits, options));
-  return outputs.add(options.directory + "/index.html", [&](TextWriter& out) { out << html; });
+  return outputs.add(concat({options.directory, "/index.html"}),
+                     [&](TextWriter& out) { out << html; });
 }
 
 Result<int> run_reproduce(Arguments& arguments, Session& session) {
   const std::string& what = arguments.operands()[0];
   Laboratory laboratory(read_options(arguments, session));
   if (Status status = arguments.status(); !status)
-    return Error{ErrorCode::kUsage, "reproduce: " + status.error().message, {}};
+    return Error{ErrorCode::kUsage, {"reproduce: ", status.error().message}};
   const auto kinds = find_exhibits(what);
   if (kinds.empty())
     return Error{ErrorCode::kUsage,
-                 "reproduce: " + in_quotes(what) + " is none of " + names_of_exhibits(),
-                 {}};
+                 {"reproduce: ", in_quotes(what), " is none of ", names_of_exhibits()}};
   if (session.options().output == "-")
-    return Error{ErrorCode::kUsage, "reproduce: -o names a directory, not the standard output", {}};
+    return Error{ErrorCode::kUsage, "reproduce: -o names a directory, not the standard output"};
   if (what == "all" && session.options().output.empty())
-    return Error{ErrorCode::kUsage, "reproduce: name a directory for all of it with -o", {}};
+    return Error{ErrorCode::kUsage, "reproduce: name a directory for all of it with -o"};
   if (!laboratory.options().directory.empty())
-    session.say_what_stays("what was complete stays in " + session.options().output +
-                           ", and is not run again");
+    session.say_what_stays(concat(
+        {"what was complete stays in ", session.options().output, ", and is not run again"}));
   const auto exhibits = make_exhibits(kinds, laboratory, session);
   if (!exhibits) return exhibits.error();
   if (what == "all")

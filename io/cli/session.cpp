@@ -6,6 +6,7 @@
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/process.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -27,7 +28,7 @@ std::string bar_text(std::string_view phase, std::uint64_t done, std::uint64_t t
   const auto filled = static_cast<std::size_t>(part * kWidth);
   std::string text = "[";
   text.append(filled, '#').append(kWidth - filled, ' ').append("] ");
-  return text + std::to_string(static_cast<int>(part * 100)) + "% " + std::string(phase);
+  return concat({text, static_cast<int>(part * 100), "% ", phase});
 }
 
 }  // namespace
@@ -74,9 +75,9 @@ OutputSet& Session::outputs() {
 
 void Session::say_what_stays(std::string outcome) {
   outcome_ = std::move(outcome);
-  set_last_words({"wellspaced: " + sentence(StopReason::kTimeLimit, "") + '\n',
-                  "wellspaced: " + sentence(StopReason::kInterrupted, "") + '\n', kExitLimit,
-                  &outputs_});
+  set_last_words({concat({"wellspaced: ", sentence(StopReason::kTimeLimit, ""), '\n'}),
+                  concat({"wellspaced: ", sentence(StopReason::kInterrupted, ""), '\n'}),
+                  kExitLimit, &outputs_});
 }
 
 ReadOptions Session::reading(Siblings siblings) {
@@ -141,7 +142,7 @@ void Session::note(std::string_view text) {
 
 Status Session::finish() {
   clear_bar();
-  if (interrupted()) return explain({ErrorCode::kCancelled, "", {}});
+  if (interrupted()) return explain({ErrorCode::kCancelled, ""});
   call_off_deadline();  // all is there: it may appear
   if (!options_.quiet && !report_.empty() && !outputs_.uses_standard_output())
     if (Status status = outputs().add("-", [&](TextWriter& out) { out << report_; }); !status)
@@ -150,25 +151,24 @@ Status Session::finish() {
 }
 
 std::string Session::sentence(StopReason reason, std::string_view in_phase) const {
-  const std::string outcome = std::string(in_phase) + "; " + outcome_;
+  const std::string outcome = concat({in_phase, "; ", outcome_});
   switch (reason) {
     case StopReason::kInterrupted:
-      return "interrupted" + outcome;
+      return concat({"interrupted", outcome});
     case StopReason::kTimeLimit:
-      return "the time limit was reached" + outcome + "; raise --time-limit";
+      return concat({"the time limit was reached", outcome, "; raise --time-limit"});
     case StopReason::kMemoryLimit:
-      return "the memory limit was reached" + outcome + "; raise --max-memory";
+      return concat({"the memory limit was reached", outcome, "; raise --max-memory"});
   }
   return {};
 }
 
 Error Session::explain(Error error) const {
-  const std::string in_phase = phase_.empty() ? "" : " while it did: " + phase_;
-  if (interrupted())
-    return {ErrorCode::kCancelled, sentence(StopReason::kInterrupted, in_phase), {}};
+  const std::string in_phase = phase_.empty() ? "" : concat({" while it did: ", phase_});
+  if (interrupted()) return {ErrorCode::kCancelled, sentence(StopReason::kInterrupted, in_phase)};
   const auto reason = stopped_ ? stopped_ : find_reason();
   if (error.code != ErrorCode::kCancelled || !reason) return error;
-  return {ErrorCode::kLimit, sentence(*reason, in_phase), {}};
+  return {ErrorCode::kLimit, sentence(*reason, in_phase)};
 }
 
 }  // namespace wellspaced::cli

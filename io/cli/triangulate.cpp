@@ -8,6 +8,7 @@
 #include "wellspaced/io/cli/stopwatch.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
 #include "wellspaced/kernel/space/delaunay3_queries.hpp"
@@ -199,22 +200,24 @@ JsonWriter to_json(const Report& report) {
 }
 
 std::string to_text(const Report& report) {
-  std::string text = std::to_string(report.points) + " points";
-  if (report.duplicates > 0) text += " (" + std::to_string(report.duplicates) + " duplicates)";
-  if (report.added_points > 0) text += ", " + std::to_string(report.added_points) + " added";
-  text += ", dimension " + std::to_string(report.dimension);
-  if (report.triangles) text += ", " + std::to_string(*report.triangles) + " triangles";
-  if (report.tets) text += ", " + std::to_string(*report.tets) + " tets";
-  text += ", " + std::to_string(report.hull_points) + " hull points";
+  std::string text = concat({report.points, " points"});
+  if (report.duplicates > 0) append(text, {" (", report.duplicates, " duplicates)"});
+  if (report.added_points > 0) append(text, {", ", report.added_points, " added"});
+  append(text, {", dimension ", report.dimension});
+  if (report.triangles) append(text, {", ", *report.triangles, " triangles"});
+  if (report.tets) append(text, {", ", *report.tets, " tets"});
+  append(text, {", ", report.hull_points, " hull points"});
   if (report.constrained_edges > 0)
-    text += ", " + std::to_string(report.constrained_edges) + " constrained edges";
-  return text + (report.cells_sha256 ? "\ncells " + *report.cells_sha256 + "\n" : "\n");
+    append(text, {", ", report.constrained_edges, " constrained edges"});
+  return concat(
+      {text, report.cells_sha256 ? concat({"\ncells ", *report.cells_sha256, "\n"}) : "\n"});
 }
 
 // Facets and segments are no constraints in space.
 void leave_points_alone(const std::string& name, Session& session, Geometry& geometry) {
   if (!geometry.has_facets() && geometry.solid.segments.empty()) return;
-  session.note(name + ": in space the points alone are triangulated, without facets and segments");
+  session.note(
+      concat({name, ": in space the points alone are triangulated, without facets and segments"}));
   geometry.solid.facets.clear();
   geometry.solid.segments.clear();
   geometry.polygons.clear();

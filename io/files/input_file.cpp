@@ -1,4 +1,5 @@
 #include "wellspaced/io/files/input_file.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -15,20 +16,19 @@ namespace fs = std::filesystem;
 constexpr std::size_t kReadPiece = std::size_t{1} << 20;
 
 Error unreadable(const std::string& path, const std::string& why) {
-  return {ErrorCode::kUnreadable, display_name(path) + ": cannot read: " + why, {}};
+  return {ErrorCode::kUnreadable, {display_name(path), ": cannot read: ", why}};
 }
 
 Error broken_off(const std::string& path, int error_number) {
   if (error_number == EINTR)
-    return {ErrorCode::kCancelled, display_name(path) + ": reading was cancelled", {}};
+    return {ErrorCode::kCancelled, {display_name(path), ": reading was cancelled"}};
   return unreadable(path, std::generic_category().message(error_number));
 }
 
 Error too_large(const std::string& path, std::uint64_t largest) {
   return {ErrorCode::kLimit,
-          display_name(path) + ": holds more than the " + std::to_string(largest) +
-              " bytes that may be read; raise --max-memory or split it",
-          {}};
+          {display_name(path), ": holds more than the ", largest,
+           " bytes that may be read; raise --max-memory or split it"}};
 }
 
 // The size that the file system tells, 0 where it knows none (pipes, devices).

@@ -1,4 +1,5 @@
 #include "wellspaced/io/files/output_set.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -37,14 +38,13 @@ namespace {
 std::string describe(int error_number) { return std::generic_category().message(error_number); }
 
 Error cannot_create(const std::string& path, const std::string& why) {
-  return {ErrorCode::kUsage, path + ": cannot create: " + why, {}};
+  return {ErrorCode::kUsage, {path, ": cannot create: ", why}};
 }
 
 Error cannot_write(const std::string& path, int error_number) {
   const std::string name = path == "-" ? "<stdout>" : path;
-  if (error_number == ECANCELED)
-    return {ErrorCode::kCancelled, name + ": writing was cancelled", {}};
-  return {ErrorCode::kLimit, name + ": cannot write: " + describe(error_number), {}};
+  if (error_number == ECANCELED) return {ErrorCode::kCancelled, {name, ": writing was cancelled"}};
+  return {ErrorCode::kLimit, {name, ": cannot write: ", describe(error_number)}};
 }
 
 bool waits_in_memory(const std::string& path) {
@@ -70,7 +70,7 @@ int close_stream(Stream stream) { return std::fclose(stream.release()) == 0 ? 0 
 Stream open_beside(const std::string& target, std::string& name) {
   constexpr int kTries = 1000;
   for (int i = 0; i < kTries; ++i) {
-    std::string candidate = target + ".part" + std::to_string(i);
+    std::string candidate = concat({target, ".part", i});
     Stream file(std::fopen(candidate.c_str(), "wbx"));
     if (file) name = std::move(candidate);
     if (file || errno != EEXIST) return file;

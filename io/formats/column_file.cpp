@@ -4,6 +4,7 @@
 #include "wellspaced/io/formats/triangle_files.hpp"
 #include "wellspaced/io/text/numbers.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -23,8 +24,7 @@ Result<std::vector<double>> read_column(const std::string& path, std::size_t cou
   if (!scanner.ok()) return scanner.error();
   if (values.size() != count)
     return Error{ErrorCode::kUnreadable,
-                 path + ": holds not one value for each of the " + std::to_string(count) + " nodes",
-                 {}};
+                 {path, ": holds not one value for each of the ", count, " nodes"}};
   return values;
 }
 
@@ -50,6 +50,8 @@ std::optional<PackingMark> read_packing_mark(const std::string& path) {
   return {};
 }
 
-std::string spacing_beside(const std::string& path) { return triangle_set_name(path) + ".spacing"; }
+std::string spacing_beside(const std::string& path) {
+  return concat({triangle_set_name(path), ".spacing"});
+}
 
 }  // namespace wellspaced

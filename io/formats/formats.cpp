@@ -17,11 +17,12 @@
 #include "wellspaced/io/pictures/cut_away.hpp"
 #include "wellspaced/io/pictures/svg.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
 
-Error wrong_usage(std::string message) { return {ErrorCode::kUsage, std::move(message), {}}; }
+Error wrong_usage(std::string message) { return {ErrorCode::kUsage, std::move(message)}; }
 
 // A header "count dimension attributes markers", and how many lines of fields follow it.
 bool has_node_header(std::string_view text) {
@@ -91,7 +92,7 @@ void add_attributes(std::vector<VtkField>& fields, const Attributes& attributes,
     for (std::size_t i = column; i < attributes.values.size(); i += attributes.columns)
       field.push_back(attributes.values[i]);
     field.resize(values);
-    fields.push_back({"attribute" + std::to_string(column), std::move(field)});
+    fields.push_back({concat({"attribute", column}), std::move(field)});
   }
 }
 
@@ -112,14 +113,15 @@ template <VtkEncoding kEncoding>
 Status write_as_vtk(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
   constexpr std::size_t kMostPoints = 0x7FFFFFFF;  // legacy files count with 32 bits
   if (geometry.point_count() > kMostPoints)
-    return wrong_usage(path + ": a legacy VTK file holds 2147483647 points at most; write .vtu");
+    return wrong_usage(
+        concat({path, ": a legacy VTK file holds 2147483647 points at most; write .vtu"}));
   const VtkGrid grid = grid_of(geometry);
   return outputs.add(path, [&](TextWriter& out) { write_vtk(out, grid, kEncoding); });
 }
 
 Status write_as_svg(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
   if (geometry.dimension == 3 && geometry.solid.tets.empty())
-    return wrong_usage(path + ": of what is in space only tetrahedra can be drawn");
+    return wrong_usage(concat({path, ": of what is in space only tetrahedra can be drawn"}));
   return outputs.add(path, [&](TextWriter& out) {
     if (geometry.dimension == 3) return write_cut_away_svg(out, geometry.solid);
     write_mesh_svg(out, geometry.mesh);
@@ -230,7 +232,7 @@ const Format* find_by_content(std::string_view text) {
 std::string names_of(bool (*wanted)(const Format&)) {
   std::string names;
   for (const Format& format : kFormats)
-    if (wanted(format)) names += (names.empty() ? "" : ", ") + std::string(format.name);
+    if (wanted(format)) append(names, {names.empty() ? "" : ", ", format.name});
   return names;
 }
 
@@ -253,16 +255,15 @@ Result<Geometry> parse_text(const std::string& text, const std::string& path,
   const Format* const format = find_format(options.format, path, text);
   if (format != nullptr) return format->parse(text, {display_name(path), options.progress});
   return Error{ErrorCode::kUnreadable,
-               display_name(path) + ": is in no format that is known: " + readable_names(),
-               {}};
+               {display_name(path), ": is in no format that is known: ", readable_names()}};
 }
 
 void note_preparation(const MeshPreparation& found, const std::string& name, Geometry& geometry) {
   const auto note = [&](std::uint64_t count, const char* what) {
-    if (count > 0) geometry.notes.push_back(name + ": " + std::to_string(count) + what);
+    if (count > 0) geometry.notes.push_back(concat({name, ": ", count, what}));
   };
   if (found.turned)
-    geometry.notes.push_back(name + ": all triangles were clockwise and have been turned");
+    geometry.notes.push_back(concat({name, ": all triangles were clockwise and have been turned"}));
   note(found.unused_points, " points are in no triangle");
   note(found.repeated_segments, " segments are listed more than once");
 }
@@ -271,7 +272,7 @@ void note_preparation(const MeshPreparation& found, const std::string& name, Geo
 std::string resolved(const std::string& path) {
   if (path == "-" || file_exists(path)) return path;
   for (const char* extension : {".node", ".poly"})
-    if (file_exists(path + extension)) return path + extension;
+    if (file_exists(concat({path, extension}))) return concat({path, extension});
   return path;
 }
 
@@ -284,11 +285,11 @@ Result<Geometry> read_geometry(const std::string& given, const ReadOptions& opti
   const Format* format =
       options.format.empty() ? find_by_extension(path) : find_by_name(options.format);
   if (!options.format.empty() && format == nullptr)
-    return wrong_usage("unknown format " + in_quotes(options.format) + "; there are " +
-                       readable_names());
+    return wrong_usage(
+        concat({"unknown format ", in_quotes(options.format), "; there are ", readable_names()}));
   if (format != nullptr && !format->readable())
-    return wrong_usage(display_name(path) + ": " + std::string(format->name) +
-                       " files cannot be read; readable are " + readable_names());
+    return wrong_usage(concat({display_name(path), ": ", format->name,
+                               " files cannot be read; readable are ", readable_names()}));
   if (options.format.empty() && triangle_set_name(path) != path)
     return options.siblings == Siblings::kRead
                ? read_triangle_set(path, options.largest, options.progress)
@@ -303,11 +304,10 @@ Result<Geometry> read_geometry(const std::string& given, const ReadOptions& opti
 Status prepare_geometry(Geometry& geometry, const std::string& name, const Progress& progress) {
   if (geometry.dimension != 2 || geometry.mesh.triangles.empty())
     return Error{ErrorCode::kUnreadable,
-                 name + ": holds no triangles (a mesh X is read from X.node and X.ele)",
-                 {}};
+                 {name, ": holds no triangles (a mesh X is read from X.node and X.ele)"}};
   const auto found = prepare_mesh(geometry.mesh, geometry.index_base, progress);
   if (!found)
-    return Error{found.error().code, name + ": " + found.error().message, found.error().ids};
+    return Error{found.error().code, {name, ": ", found.error().message}, found.error().ids};
   note_preparation(*found, name, geometry);
   return Ok{};
 }
@@ -378,11 +378,11 @@ Status write_geometry(OutputSet& outputs, const std::string& path, const std::st
   const Format* const format =
       format_name.empty() ? find_by_extension(path) : find_by_name(format_name);
   if (format == nullptr && format_name.empty())
-    return wrong_usage(
-        path + ": no format has this extension; name one with --format: " + writable_names());
+    return wrong_usage(concat(
+        {path, ": no format has this extension; name one with --format: ", writable_names()}));
   if (format == nullptr || format->write == nullptr)
-    return wrong_usage("cannot write format " + in_quotes(format_name) + "; there are " +
-                       writable_names());
+    return wrong_usage(
+        concat({"cannot write format ", in_quotes(format_name), "; there are ", writable_names()}));
   return format->write(outputs, path, geometry);
 }
 

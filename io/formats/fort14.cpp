@@ -5,6 +5,7 @@
 
 #include "wellspaced/io/formats/solver_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -41,9 +42,8 @@ void Fort14Parser::read_nodes(Index count) {
   geometry_.point_attributes.columns = 1;
   for (Index i = 0; i < count && scanner_.next_record(count, "nodes"); ++i) {
     if (const std::int64_t number = scanner_.integer("node number"); number != std::int64_t{i} + 1)
-      scanner_.fail(ErrorCode::kUnreadable, "node number " + std::to_string(number) + " where " +
-                                                std::to_string(std::uint64_t{i} + 1) +
-                                                " should follow");
+      scanner_.fail(ErrorCode::kUnreadable,
+                    {"node number ", number, " where ", std::uint64_t{i} + 1, " should follow"});
     const double x = scanner_.number("x coordinate");
     geometry_.mesh.points.push_back({x, scanner_.number("y coordinate")});
     geometry_.point_attributes.values.push_back(scanner_.number("depth"));
@@ -83,8 +83,7 @@ void Fort14Parser::read_land_string() {
   const Index count = scanner_.count("nodes of a boundary", 1);
   const std::int64_t type = scanner_.integer("boundary type");
   if (type < 0 || type > 1000)
-    scanner_.fail(ErrorCode::kUnreadable,
-                  "the boundary type " + std::to_string(type) + " makes no sense");
+    scanner_.fail(ErrorCode::kUnreadable, {"the boundary type ", type, " makes no sense"});
   std::vector<Index> nodes, across;
   for (Index i = 0; i < count && scanner_.next_record(count, "nodes of a boundary"); ++i) {
     nodes.push_back(read_node());
@@ -115,7 +114,7 @@ void Fort14Parser::read_land_boundaries() {
   for (Index i = 0; i < strings && scanner_.next_record(strings, "land boundaries"); ++i)
     read_land_string();
   for (const int type : land_types_)
-    geometry_.marker_names.push_back({1, type + kLandOffset, "land " + std::to_string(type)});
+    geometry_.marker_names.push_back({1, type + kLandOffset, concat({"land ", type})});
 }
 
 void Fort14Parser::note_degrees() {
@@ -124,16 +123,17 @@ void Fort14Parser::note_degrees() {
     return std::abs(p.x) <= 360 && std::abs(p.y) <= 90;
   });
   if (degrees && !points.empty())
-    geometry_.notes.push_back(scanner_.file() +
-                              ": the coordinates may be longitude and latitude; "
-                              "angles mean little unless they are projected");
+    geometry_.notes.push_back(concat({scanner_.file(),
+                                      ": the coordinates may be longitude and latitude; "
+                                      "angles mean little unless they are projected"}));
 }
 
 void Fort14Parser::note_barriers() {
   if (std::any_of(land_types_.begin(), land_types_.end(), is_barrier_type))
-    geometry_.notes.push_back(scanner_.file() +
-                              ": the nodes of barriers (types 4, 5, 24, 25) come in pairs, which "
-                              "coarsening tears apart unless --fixed names them");
+    geometry_.notes.push_back(
+        concat({scanner_.file(),
+                ": the nodes of barriers (types 4, 5, 24, 25) come in pairs, which "
+                "coarsening tears apart unless --fixed names them"}));
 }
 
 Result<Geometry> Fort14Parser::parse() {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "wellspaced/io/text/numbers.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -81,8 +82,7 @@ Geometry lift_to_space(Geometry geometry) {
 Status refuse_polygons(const Geometry& geometry, const std::string& path, const std::string& what) {
   if (geometry.polygons.empty()) return Ok{};
   return Error{ErrorCode::kUsage,
-               path + ": " + what + " has no place for facets that are no triangles; write .poly",
-               {}};
+               {path, ": ", what, " has no place for facets that are no triangles; write .poly"}};
 }
 
 std::vector<int> without_zeros(std::vector<int> markers) {

@@ -9,6 +9,7 @@
 #include "wellspaced/io/formats/gmsh.hpp"
 #include "wellspaced/io/text/bytes.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -50,16 +51,14 @@ double GmshNumbers::real(std::string_view what) {
   if (!binary_) return scanner_.number(what);
   const auto value = bytes<double>(what);
   if (std::isfinite(value)) return value;
-  scanner_.fail(ErrorCode::kInvalidGeometry, "a binary " + std::string(what) + " is not finite");
+  scanner_.fail(ErrorCode::kInvalidGeometry, {"a binary ", what, " is not finite"});
   return 0;
 }
 
 std::int64_t GmshNumbers::count(std::string_view what, std::uint64_t numbers) {
-  const std::int64_t value = wide("number of " + std::string(what));
-  if (value < 0)
-    scanner_.fail(ErrorCode::kUnreadable, "the number of " + std::string(what) + " is negative");
-  if (value >= kNoIndex)
-    scanner_.fail(ErrorCode::kLimit, "more than 4294967294 " + std::string(what));
+  const std::int64_t value = wide(concat({"number of ", what}));
+  if (value < 0) scanner_.fail(ErrorCode::kUnreadable, {"the number of ", what, " is negative"});
+  if (value >= kNoIndex) scanner_.fail(ErrorCode::kLimit, {"more than 4294967294 ", what});
   const bool fits =
       scanner_.ok() && scanner_.has_room_for(static_cast<std::uint64_t>(value), numbers, what);
   return fits ? value : 0;
@@ -112,9 +111,9 @@ void GmshParser::read_format() {
   const std::string_view version = scanner_.word("version");
   version_4_ = version == "4.1";
   if (scanner_.ok() && !version_4_ && version.substr(0, 1) != "2")
-    scanner_.fail(ErrorCode::kUnreadable, "version " + in_quotes(version) +
-                                              " is not understood, only 2 and 4.1; convert it "
-                                              "with gmsh -format msh41");
+    scanner_.fail(ErrorCode::kUnreadable, {"version ", in_quotes(version),
+                                           " is not understood, only 2 and 4.1; convert it "
+                                           "with gmsh -format msh41"});
   const std::int64_t type = scanner_.integer("file type");
   if (scanner_.integer("data size") != 8 && version_4_)
     scanner_.fail(ErrorCode::kUnreadable, "the data size is not 8");
@@ -151,7 +150,7 @@ void GmshParser::read_names() {
 
 int GmshParser::as_marker(std::int64_t value) {
   if (value == static_cast<int>(value)) return static_cast<int>(value);
-  scanner_.fail(ErrorCode::kUnreadable, "the tag " + std::to_string(value) + " is beyond 32 bits");
+  scanner_.fail(ErrorCode::kUnreadable, {"the tag ", value, " is beyond 32 bits"});
   return 0;
 }
 
@@ -195,7 +194,7 @@ void GmshParser::sort_nodes() {
       std::adjacent_find(nodes_.begin(), nodes_.end(),
                          [](const auto& a, const auto& b) { return a.first == b.first; });
   if (twice != nodes_.end())
-    scanner_.fail(ErrorCode::kUnreadable, "node " + std::to_string(twice->first) + " occurs twice");
+    scanner_.fail(ErrorCode::kUnreadable, {"node ", twice->first, " occurs twice"});
   if (nodes_.size() >= kNoIndex) scanner_.fail(ErrorCode::kLimit, "more than 4294967294 nodes");
 }
 
@@ -235,8 +234,8 @@ void GmshParser::read_nodes_4() {
 Index GmshParser::find_node(std::int64_t tag) {
   const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), std::pair(tag, Index{0}));
   if (found != nodes_.end() && found->first == tag) return found->second;
-  scanner_.fail(ErrorCode::kInvalidGeometry, "node " + std::to_string(tag) + " does not exist" +
-                                                 (has_nodes_ ? "" : " before $Nodes"));
+  scanner_.fail(ErrorCode::kInvalidGeometry,
+                {"node ", tag, " does not exist", has_nodes_ ? "" : " before $Nodes"});
   return 0;
 }
 
@@ -253,9 +252,9 @@ std::size_t GmshParser::corners_of(std::int64_t type) {
       return 4;
     default:
       scanner_.fail(ErrorCode::kUnreadable,
-                    "elements of type " + std::to_string(type) +
-                        " are not understood, only points (15), lines (1), triangles (2) and "
-                        "tetrahedra (4) with straight edges");
+                    {"elements of type ", type,
+                     " are not understood, only points (15), lines (1), triangles (2) and "
+                     "tetrahedra (4) with straight edges"});
       return 0;
   }
 }
@@ -327,17 +326,17 @@ void GmshParser::read_elements_4() {
 }
 
 void GmshParser::pass_to_end_of(std::string_view section) {
-  const std::string end = "$End" + std::string(section);
+  const std::string end = concat({"$End", section});
   while (scanner_.next_line())
     if (scanner_.word("keyword") == end) return;
-  scanner_.fail(ErrorCode::kUnreadable, "the file ends before " + in_quotes(end));
+  scanner_.fail(ErrorCode::kUnreadable, {"the file ends before ", in_quotes(end)});
 }
 
 void GmshParser::read_section() {
   std::string_view section = scanner_.word("section");
   if (section[0] != '$')
     return scanner_.fail(ErrorCode::kUnreadable,
-                         in_quotes(section) + " where a section should begin");
+                         {in_quotes(section), " where a section should begin"});
   section.remove_prefix(1);
   if (!has_format_ && section != "MeshFormat" && section != "Comments")
     scanner_.fail(ErrorCode::kUnreadable, "$MeshFormat should stand first");
@@ -388,8 +387,9 @@ void GmshParser::drop_repeated_elements() {
   dropped += drop_repeated(solid.tets, &tet_markers_,
                            [](const std::array<Index, 4>& t) { return ascending_corners(t); });
   if (dropped > 0)
-    geometry_.notes.push_back(scanner_.file() + ": " + std::to_string(dropped) +
-                              " elements are listed again; their first physical group counts");
+    geometry_.notes.push_back(
+        concat({scanner_.file(), ": ", dropped,
+                " elements are listed again; their first physical group counts"}));
 }
 
 Result<Geometry> GmshParser::parse() {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -20,7 +21,7 @@ Result<std::string> extension_of(const std::string& name) {
   std::string names;
   for (const Format& format : all)
     if (format.write != nullptr) names.append(" ").append(format.name);
-  return Error{ErrorCode::kUsage, "cannot write levels as '" + name + "'; there are" + names, {}};
+  return Error{ErrorCode::kUsage, {"cannot write levels as '", name, "'; there are", names}};
 }
 
 template <class T>
@@ -150,25 +151,26 @@ Status write_hierarchy(OutputSet& outputs, const std::string& directory, const H
   if (Status status = outputs.make_directory(directory); !status) return status;
   for (std::size_t k = 0; k < hierarchy.levels.size(); ++k) {
     const Level& level = hierarchy.levels[k];
-    const std::string name = directory + "/level_" + std::to_string(k);
-    if (Status status = write_geometry(outputs, name + *extension, format.format,
+    const std::string name = concat({directory, "/level_", k});
+    if (Status status = write_geometry(outputs, concat({name, *extension}), format.format,
                                        to_geometry(level.mesh, format.index_base));
         !status)
       return status;
-    if (Status status = write_column(outputs, name + ".origin", level.origin); !status)
+    if (Status status = write_column(outputs, concat({name, ".origin"}), level.origin); !status)
       return status;
-    if (Status status = write_column(outputs, name + ".spacing", level.spacing); !status)
+    if (Status status = write_column(outputs, concat({name, ".spacing"}), level.spacing); !status)
       return status;
     for (const MatrixFormat* matrix : format.matrices) {
       if (k == 0 || format.solver == nullptr) continue;
-      const std::string path = name + ".prolongation" + std::string(matrix->extension);
+      const std::string path = concat({name, ".prolongation", matrix->extension});
       const SparseMatrix& prolongation = format.solver->transfers[k - 1].prolongation;
       if (Status status = write_matrix(outputs, path, *matrix, prolongation); !status)
         return status;
     }
   }
   const std::string json = describe(hierarchy, options, format);
-  return outputs.add(directory + "/hierarchy.json", [&](TextWriter& out) { out << json << '\n'; });
+  return outputs.add(concat({directory, "/hierarchy.json"}),
+                     [&](TextWriter& out) { out << json << '\n'; });
 }
 
 }  // namespace wellspaced

@@ -10,6 +10,7 @@
 #include "wellspaced/io/formats/column_file.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/json/json_reader.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -20,7 +21,7 @@ std::string find_file(const std::string& stem) {
     if (format.parse == nullptr) continue;
     std::istringstream extensions{std::string(format.extensions)};
     for (std::string extension; extensions >> extension;)
-      if (file_exists(stem + extension)) return stem + extension;
+      if (file_exists(concat({stem, extension}))) return concat({stem, extension});
   }
   return {};
 }
@@ -44,13 +45,15 @@ Result<audit::HierarchyLevel> read_level(const std::string& stem, const std::str
   if (!geometry) return geometry.error();
   std::move(geometry->notes.begin(), geometry->notes.end(), std::back_inserter(notes));
   if (geometry->dimension != 2 || !geometry->has_cells())
-    return Error{ErrorCode::kUnreadable, file + ": holds no triangles", {}};
+    return Error{ErrorCode::kUnreadable, {file, ": holds no triangles"}};
   audit::HierarchyLevel level;
   level.mesh = std::move(geometry->mesh);
-  const auto origin = read_column_if_there(stem + ".origin", level.mesh.points.size(), progress);
+  const auto origin =
+      read_column_if_there(concat({stem, ".origin"}), level.mesh.points.size(), progress);
   if (!origin) return origin.error();
   for (const double value : *origin) level.origin.push_back(to_index(value));
-  auto spacing = read_column_if_there(stem + ".spacing", level.mesh.points.size(), progress);
+  auto spacing =
+      read_column_if_there(concat({stem, ".spacing"}), level.mesh.points.size(), progress);
   if (!spacing) return spacing.error();
   level.spacing = std::move(*spacing);
   return level;
@@ -84,21 +87,20 @@ Status read_manifest(const std::string& path, HierarchyInput& input,
 Result<HierarchyInput> read_hierarchy(const std::string& directory, const Progress& progress) {
   HierarchyInput input;
   std::optional<std::size_t> listed;
-  if (Status status = read_manifest(directory + "/hierarchy.json", input, listed); !status)
+  if (Status status = read_manifest(concat({directory, "/hierarchy.json"}), input, listed); !status)
     return status.error();
   for (std::size_t k = 0; !listed || k < *listed; ++k) {
-    const std::string stem = directory + "/level_" + std::to_string(k);
+    const std::string stem = concat({directory, "/level_", k});
     const std::string file = find_file(stem);
     if (file.empty() && listed && k > 0)
-      return Error{
-          ErrorCode::kUnreadable, stem + ": hierarchy.json lists it, but it is missing", {}};
+      return Error{ErrorCode::kUnreadable, {stem, ": hierarchy.json lists it, but it is missing"}};
     if (file.empty()) break;
     auto level = read_level(stem, file, input.notes, progress);
     if (!level) return level.error();
     input.levels.push_back(std::move(*level));
   }
   if (input.levels.empty())
-    return Error{ErrorCode::kUnreadable, directory + ": there is no mesh level_0 in it", {}};
+    return Error{ErrorCode::kUnreadable, {directory, ": there is no mesh level_0 in it"}};
   return input;
 }
 

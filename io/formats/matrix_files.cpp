@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wellspaced/io/text/bytes.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -51,7 +52,7 @@ std::string npy_bytes(std::string_view type, std::string_view shape, const std::
   std::string bytes = "\x93NUMPY";
   bytes.append({'\1', '\0'});
   append_bytes(bytes, static_cast<std::uint16_t>(header.size()));
-  return bytes + header + data;
+  return concat({bytes, header, data});
 }
 
 std::string vector_shape(std::size_t size) {
@@ -160,7 +161,7 @@ Status write_matrix(OutputSet& outputs, const std::string& path, const MatrixFor
   constexpr std::size_t kTooManyEntries = std::size_t{1} << 28, kTooLong = std::size_t{1} << 31;
   if (matrix.entries() >= kTooManyEntries || matrix.rows() >= kTooLong ||
       matrix.columns >= kTooLong)
-    return Error{ErrorCode::kLimit, path + ": the matrix is too large for the format", {}};
+    return Error{ErrorCode::kLimit, {path, ": the matrix is too large for the format"}};
   return outputs.add(path, [&](TextWriter& out) { out << format.bytes(matrix); });
 }
 

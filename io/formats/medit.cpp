@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -38,7 +39,7 @@ void MeditParser::read_header() {
     scanner_.fail(ErrorCode::kUnreadable, "the keyword MeshVersionFormatted should stand first");
   const std::int64_t version = scanner_.integer("version");
   if (version < 1 || version > 4)
-    scanner_.fail(ErrorCode::kUnreadable, "version " + std::to_string(version) + " is not known");
+    scanner_.fail(ErrorCode::kUnreadable, {"version ", version, " is not known"});
 }
 
 void MeditParser::read_vertices() {
@@ -94,8 +95,9 @@ void MeditParser::pass_over_unknown(std::string_view keyword) {
   const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
   if (!is_letter(keyword[0]))
     return scanner_.fail(ErrorCode::kUnreadable,
-                         in_quotes(keyword) + " where a keyword should stand");
-  geometry_.notes.push_back(scanner_.file() + ": " + in_quotes(keyword) + " was passed over");
+                         {in_quotes(keyword), " where a keyword should stand"});
+  geometry_.notes.push_back(
+      concat({scanner_.file(), ": ", in_quotes(keyword), " was passed over"}));
   while (scanner_.more()) {
     Scanner after = scanner_;
     if (is_letter(after.word("keyword")[0])) return;
@@ -130,7 +132,7 @@ bool MeditParser::read_section() {
   } else if (keyword == "Hexahedra" || keyword == "Prisms" || keyword == "Pyramids") {
     if (scanner_.count("elements", 0) > 0)
       scanner_.fail(ErrorCode::kUnreadable,
-                    std::string(keyword) + " are not understood, only triangles and tetrahedra");
+                    {keyword, " are not understood, only triangles and tetrahedra"});
   } else if (!pass_over(keyword)) {
     pass_over_unknown(keyword);
   }
@@ -233,10 +235,9 @@ Status write_medit(OutputSet& outputs, const std::string& path, const Geometry& 
       });
   if (!fits)
     return Error{ErrorCode::kUsage,
-                 path +
-                     ": a Medit file has no place for facets of more than 4 corners or with "
-                     "holes; write .poly",
-                 {}};
+                 {path,
+                  ": a Medit file has no place for facets of more than 4 corners or with "
+                  "holes; write .poly"}};
   const Geometry lifted = lift_to_space(geometry);
   return outputs.add(
       path, [&](TextWriter& out) { MeditWriter(out, lifted, geometry.dimension).write(); });

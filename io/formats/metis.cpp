@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/formats/point_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
@@ -42,8 +43,7 @@ void MetisParser::read_header() {
   constexpr std::array<std::int64_t, 8> kWeightFormats = {0, 1, 10, 11, 100, 101, 110, 111};
   if (std::find(kWeightFormats.begin(), kWeightFormats.end(), format) == kWeightFormats.end() ||
       weights < 0 || weights > 1000)
-    scanner_.fail(ErrorCode::kUnreadable,
-                  "the format " + std::to_string(format) + " makes no sense");
+    scanner_.fail(ErrorCode::kUnreadable, {"the format ", format, " makes no sense"});
   if (!scanner_.ok()) return;
   passed_over_ =
       (format >= 100 ? 1u : 0u) + (format / 10 % 10 == 1 ? static_cast<std::size_t>(weights) : 0u);
@@ -64,7 +64,7 @@ void MetisParser::read_vertex(Index v) {
     const Index w = scanner_.point(graph_.vertices, 1);
     if (edge_weights_) scanner_.number("weight of an edge");
     if (scanner_.ok() && v == w)
-      scanner_.fail(ErrorCode::kUnreadable, "vertex " + std::to_string(v + 1) + " joins itself");
+      scanner_.fail(ErrorCode::kUnreadable, {"vertex ", v + 1, " joins itself"});
     if (scanner_.ok()) arcs_.emplace_back(v, w);
   }
 }
@@ -72,21 +72,19 @@ void MetisParser::read_vertex(Index v) {
 void MetisParser::check_edges() {
   std::sort(arcs_.begin(), arcs_.end());
   const auto name = [](std::pair<Index, Index> arc) {
-    return std::to_string(std::uint64_t{arc.first} + 1) + "-" +
-           std::to_string(std::uint64_t{arc.second} + 1);
+    return concat({std::uint64_t{arc.first} + 1, "-", std::uint64_t{arc.second} + 1});
   };
   for (std::size_t i = 0; i < arcs_.size() && scanner_.ok(); ++i) {
     const auto& [v, w] = arcs_[i];
     if (i > 0 && arcs_[i] == arcs_[i - 1])
-      scanner_.fail(ErrorCode::kUnreadable, "edge " + name(arcs_[i]) + " is listed twice");
+      scanner_.fail(ErrorCode::kUnreadable, {"edge ", name(arcs_[i]), " is listed twice"});
     if (!std::binary_search(arcs_.begin(), arcs_.end(), std::pair(w, v)))
-      scanner_.fail(ErrorCode::kUnreadable, "edge " + name(arcs_[i]) + " has no edge back");
+      scanner_.fail(ErrorCode::kUnreadable, {"edge ", name(arcs_[i]), " has no edge back"});
     if (v < w) graph_.edges.push_back({v, w, 0});
   }
   if (scanner_.ok() && graph_.edges.size() != edges_)
-    scanner_.fail(ErrorCode::kUnreadable, "there are " + std::to_string(graph_.edges.size()) +
-                                              " edges, not " + std::to_string(edges_) +
-                                              " as announced");
+    scanner_.fail(ErrorCode::kUnreadable,
+                  {"there are ", graph_.edges.size(), " edges, not ", edges_, " as announced"});
 }
 
 Result<MetisGraph> MetisParser::parse() {
@@ -94,7 +92,7 @@ Result<MetisGraph> MetisParser::parse() {
   for (Index v = 0; v < graph_.vertices && scanner_.ok(); ++v) {
     if (!next_vertex_line())
       scanner_.fail(ErrorCode::kUnreadable,
-                    "the file ends before its " + std::to_string(graph_.vertices) + " vertices do");
+                    {"the file ends before its ", graph_.vertices, " vertices do"});
     read_vertex(v);
   }
   if (scanner_.next_line())
@@ -157,16 +155,16 @@ Result<Geometry> read_metis(const std::string& path, std::uint64_t largest,
   auto graph = parse_metis_graph(*text, {path, progress});
   if (!graph) return graph.error();
   const std::string set = without_graph_extension(path);
-  const std::string points = file_exists(set + ".xyz") ? set + ".xyz" : set + ".coords";
+  const std::string points =
+      file_exists(concat({set, ".xyz"})) ? concat({set, ".xyz"}) : concat({set, ".coords"});
   const auto points_text = read_input(points, largest);
   if (!points_text) return points_text.error();
   auto geometry = parse_xyz(*points_text, {points, progress});
   if (!geometry) return geometry.error();
   if (geometry->point_count() != graph->vertices)
     return Error{ErrorCode::kUnreadable,
-                 points + ": holds " + std::to_string(geometry->point_count()) +
-                     " points for the " + std::to_string(graph->vertices) + " vertices of " + path,
-                 {}};
+                 {points, ": holds ", geometry->point_count(), " points for the ", graph->vertices,
+                  " vertices of ", path}};
   auto& segments = geometry->dimension == 2 ? geometry->mesh.segments : geometry->solid.segments;
   segments = std::move(graph->edges);
   return geometry;
@@ -174,14 +172,14 @@ Result<Geometry> read_metis(const std::string& path, std::uint64_t largest,
 
 Status write_metis(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
   if (path == "-")
-    return Error{ErrorCode::kUsage, "a graph and its coordinates are two files: name them", {}};
+    return Error{ErrorCode::kUsage, "a graph and its coordinates are two files: name them"};
   const std::string set = without_graph_extension(path);
   const auto edges = edges_of(lift_to_space(geometry));
-  Status status = outputs.add(set + ".graph", [&](TextWriter& out) {
+  Status status = outputs.add(concat({set, ".graph"}), [&](TextWriter& out) {
     write_metis_graph(out, geometry.point_count(), edges);
   });
   if (!status.ok()) return status;
-  return outputs.add(set + ".xyz", [&](TextWriter& out) { write_xyz(out, geometry); });
+  return outputs.add(concat({set, ".xyz"}), [&](TextWriter& out) { write_xyz(out, geometry); });
 }
 
 }  // namespace wellspaced

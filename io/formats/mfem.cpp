@@ -5,6 +5,7 @@
 
 #include "wellspaced/io/formats/solver_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -41,10 +42,10 @@ class MfemParser {
 };
 
 void MfemParser::read_banner() {
-  if (!scanner_.require_line("the line " + std::string(kMfemBanner))) return;
+  if (!scanner_.require_line(concat({"the line ", kMfemBanner}))) return;
   if (const std::string_view line = scanner_.rest_of_line(); line != kMfemBanner)
     scanner_.fail(ErrorCode::kUnreadable,
-                  in_quotes(line) + " where " + std::string(kMfemBanner) + " should stand");
+                  {in_quotes(line), " where ", kMfemBanner, " should stand"});
 }
 
 void MfemParser::read_elements(const char* what) {
@@ -67,8 +68,8 @@ void MfemParser::read_elements(const char* what) {
       tet_markers_.push_back(marker);
     } else {
       scanner_.fail(ErrorCode::kUnreadable,
-                    "elements of type " + std::to_string(type) +
-                        " are not understood, only segments (1), triangles (2), tetrahedra (4)");
+                    {"elements of type ", type,
+                     " are not understood, only segments (1), triangles (2), tetrahedra (4)"});
     }
   }
 }
@@ -100,7 +101,7 @@ bool MfemParser::read_section() {
   } else {
     scanner_.fail(
         ErrorCode::kUnreadable,
-        in_quotes(keyword) + " where dimension, elements, boundary or vertices should be");
+        {in_quotes(keyword), " where dimension, elements, boundary or vertices should be"});
   }
   return scanner_.ok();
 }

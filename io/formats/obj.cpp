@@ -6,6 +6,7 @@
 #include "wellspaced/io/formats/surface_files.hpp"
 #include "wellspaced/io/text/numbers.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -44,13 +45,12 @@ Index ObjParser::read_corner(std::string_view word) {
   const auto number = parse_integer(digits);
   const auto count = static_cast<std::int64_t>(geometry_.solid.points.size());
   if (!number)
-    scanner_.fail(ErrorCode::kUnreadable, "the corner " + in_quotes(word) + " is not an integer");
+    scanner_.fail(ErrorCode::kUnreadable, {"the corner ", in_quotes(word), " is not an integer"});
   if (!number) return 0;
   const std::int64_t index = *number > 0 ? *number - 1 : count + *number;
   if (*number != 0 && index >= 0 && index < count) return static_cast<Index>(index);
-  scanner_.fail(ErrorCode::kInvalidGeometry, "point " + std::to_string(*number) +
-                                                 " is not among the " + std::to_string(count) +
-                                                 " points so far, which are numbered from 1");
+  scanner_.fail(ErrorCode::kInvalidGeometry, {"point ", *number, " is not among the ", count,
+                                              " points so far, which are numbered from 1"});
   return 0;
 }
 

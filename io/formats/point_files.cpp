@@ -5,6 +5,7 @@
 
 #include "wellspaced/io/text/bytes.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -26,8 +27,7 @@ void read_line(Scanner& scanner, Geometry& geometry) {
     geometry.dimension = static_cast<int>(fields);
   const auto expected = static_cast<std::size_t>(geometry.dimension);
   if (fields != expected)
-    scanner.fail(ErrorCode::kUnreadable, std::to_string(fields) + " numbers where " +
-                                             std::to_string(expected) + " should stand");
+    scanner.fail(ErrorCode::kUnreadable, {fields, " numbers where ", expected, " should stand"});
   if (geometry.point_count() == kNoIndex - 1)
     scanner.fail(ErrorCode::kLimit, "more than 4294967294 points");
   std::array<double, 3> c{};
@@ -43,7 +43,7 @@ void for_each_coordinate(const Geometry& geometry, Visit visit) {
 }
 
 Error wrong(const std::string& name, ErrorCode code, const std::string& what) {
-  return {code, name + ": " + what, {}};
+  return {code, {name, ": ", what}, {}};
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ Result<Geometry> parse_f64(std::string_view bytes, const TextSource& source) {
       c[k] = read_bytes<double>(bytes, kF64Header + 8 * (i * dimension + k));
       if (!std::isfinite(c[k]))
         return wrong(source.name, ErrorCode::kInvalidGeometry,
-                     "point " + std::to_string(i) + " (counted from 0) is not finite");
+                     concat({"point ", i, " (counted from 0) is not finite"}));
     }
     add_point(geometry, c);
   }

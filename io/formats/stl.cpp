@@ -8,6 +8,7 @@
 #include "wellspaced/io/formats/surface_files.hpp"
 #include "wellspaced/io/text/bytes.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -77,8 +78,8 @@ Geometry StlSoup::weld(const std::string& name) {
     if (a != b && b != c && c != a) geometry.solid.facets.push_back({{a, b, c}, markers_[f]});
   }
   if (const std::size_t left_out = markers_.size() - geometry.solid.facets.size(); left_out > 0)
-    geometry.notes.push_back(name + ": " + std::to_string(left_out) +
-                             " facets with coincident corners were left out");
+    geometry.notes.push_back(
+        concat({name, ": ", left_out, " facets with coincident corners were left out"}));
   lay_in_plane(geometry);
   return geometry;
 }
@@ -103,8 +104,7 @@ class AsciiStlParser {
 void AsciiStlParser::expect(std::string_view keyword) {
   const std::string_view word = scanner_.word(keyword);
   if (scanner_.ok() && lower_case(word) != keyword)
-    scanner_.fail(ErrorCode::kUnreadable,
-                  in_quotes(word) + " where " + std::string(keyword) + " should stand");
+    scanner_.fail(ErrorCode::kUnreadable, {in_quotes(word), " where ", keyword, " should stand"});
 }
 
 void AsciiStlParser::read_facet() {
@@ -133,7 +133,7 @@ void AsciiStlParser::read_solid() {
     if (word == "endsolid") break;
     if (scanner_.ok() && word != "facet")
       scanner_.fail(ErrorCode::kUnreadable,
-                    in_quotes(word) + " where facet or endsolid should stand");
+                    {in_quotes(word), " where facet or endsolid should stand"});
     if (scanner_.ok()) read_facet();
   }
   scanner_.rest_of_line();
@@ -154,7 +154,7 @@ Result<Geometry> AsciiStlParser::parse() {
 Result<Geometry> parse_binary_stl(std::string_view bytes, const TextSource& source) {
   const auto count = read_bytes<std::uint32_t>(bytes, 80);
   if (count > (kNoIndex - 1) / 3)
-    return Error{ErrorCode::kLimit, source.name + ": more than 1431655764 facets", {}};
+    return Error{ErrorCode::kLimit, {source.name, ": more than 1431655764 facets"}};
   StlSoup soup;
   for (std::size_t f = 0; f < count; ++f) {
     if (f % kStlReportEvery == 0 && !source.keep_going(f, count)) return source.cancelled();
@@ -165,8 +165,7 @@ Result<Geometry> parse_binary_stl(std::string_view bytes, const TextSource& sour
             read_bytes<float>(bytes, kStlHeader + kStlRecord * f + 12 + 12 * corner + 4 * k)};
       if (!std::isfinite(c[0]) || !std::isfinite(c[1]) || !std::isfinite(c[2]))
         return Error{ErrorCode::kInvalidGeometry,
-                     source.name + ": a corner of facet " + std::to_string(f) +
-                         " (counted from 0) is not finite",
+                     {source.name, ": a corner of facet ", f, " (counted from 0) is not finite"},
                      {static_cast<Index>(f)}};
       soup.add_corner({c[0], c[1], c[2]});
     }
@@ -245,7 +244,7 @@ Status write_stl_binary(OutputSet& outputs, const std::string& path, const Geome
   if (Status status = refuse_polygons(geometry, path, "an STL file"); !status) return status;
   const Geometry lifted = lift_to_space(geometry);
   if (!std::all_of(lifted.solid.points.begin(), lifted.solid.points.end(), fits_float))
-    return Error{ErrorCode::kUsage, path + ": coordinates beyond 32 bits need --format stl", {}};
+    return Error{ErrorCode::kUsage, {path, ": coordinates beyond 32 bits need --format stl"}};
   return write_surface(outputs, path, geometry, "an STL file", write_binary_stl);
 }
 

@@ -5,6 +5,7 @@
 
 #include "wellspaced/io/formats/solver_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -69,8 +70,8 @@ void Su2Parser::read_element(int marker) {
     solid.tets.push_back(read_corners<4>());
   } else {
     scanner_.fail(ErrorCode::kUnreadable,
-                  "elements of type " + std::to_string(type) +
-                      " are not understood, only lines (3), triangles (5) and tetrahedra (10)");
+                  {"elements of type ", type,
+                   " are not understood, only lines (3), triangles (5) and tetrahedra (10)"});
   }
 }
 

@@ -1,4 +1,5 @@
 #include "wellspaced/io/formats/surface.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +25,7 @@ Status write_surface(OutputSet& outputs, const std::string& path, const Geometry
                      const std::string& what,
                      const std::function<void(TextWriter&, const Geometry&)>& write) {
   const auto refuse = [&](const char* why) {
-    return Error{ErrorCode::kUsage, path + ": " + what + " has no place for " + why, {}};
+    return Error{ErrorCode::kUsage, {path, ": ", what, " has no place for ", why}};
   };
   if (!geometry.solid.tets.empty()) return refuse("tetrahedra; write .mesh, .msh or .vtu");
   const bool simple =

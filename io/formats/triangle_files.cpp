@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -32,7 +33,7 @@ class SetReader {
   Result<Geometry> read();
 
  private:
-  bool has(const char* extension) const { return file_exists(set_ + extension); }
+  bool has(const char* extension) const { return file_exists(concat({set_, extension})); }
   Status read_points();
   Status read_domain(const char* extension);
   Status read_edges();
@@ -48,7 +49,7 @@ class SetReader {
 };
 
 Status SetReader::read_points() {
-  const std::string name = set_ + ".node";
+  const std::string name = concat({set_, ".node"});
   if (!has(".node") && (has(".poly") || has(".smesh"))) return Ok{};  // they must hold them
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
@@ -64,8 +65,8 @@ Status SetReader::check_points_of_domain(const Geometry& domain, const std::stri
                      : first_difference(domain.solid.points, geometry_.solid.points);
   if (!i) return Ok{};
   return Error{ErrorCode::kInvalidGeometry,
-               name + ": its point " + std::to_string(std::uint64_t{*i} + domain.index_base) +
-                   " is not that of " + set_ + ".node; remove the points of one of them",
+               {name, ": its point ", std::uint64_t{*i} + domain.index_base, " is not that of ",
+                set_, ".node; remove the points of one of them"},
                {*i}};
 }
 
@@ -77,13 +78,13 @@ Result<Geometry> parse_domain(std::string_view text, const TextSource& source,
 }
 
 Status SetReader::read_domain(const char* extension) {
-  const std::string name = set_ + extension;
+  const std::string name = concat({set_, extension});
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
   const bool refers = poly_refers_to_node(*text);
   if (refers && !has(".node"))
-    return Error{
-        ErrorCode::kUnreadable, name + ": holds no points, and " + set_ + ".node is missing", {}};
+    return Error{ErrorCode::kUnreadable,
+                 {name, ": holds no points, and ", set_, ".node is missing"}};
   auto domain = parse_domain(*text, {name, progress_}, refers ? &geometry_ : nullptr);
   if (!domain) return domain.error();
   if (!refers && has(".node")) {
@@ -101,7 +102,7 @@ Status SetReader::read_domain(const char* extension) {
 }
 
 Status SetReader::read_edges() {
-  const std::string name = set_ + ".edge";
+  const std::string name = concat({set_, ".edge"});
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
   const auto edges = parse_edge(*text, {name, progress_}, geometry_);
@@ -113,7 +114,7 @@ Status SetReader::read_edges() {
 }
 
 Status SetReader::read_faces() {
-  const std::string name = set_ + ".face";
+  const std::string name = concat({set_, ".face"});
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
   auto faces = parse_face(*text, {name, progress_}, geometry_);
@@ -123,7 +124,7 @@ Status SetReader::read_faces() {
 }
 
 Status SetReader::read_cells() {
-  const std::string name = set_ + ".ele";
+  const std::string name = concat({set_, ".ele"});
   const auto text = read_input(name, largest_);
   if (!text) return text.error();
   return parse_ele(*text, {name, progress_}, geometry_);
@@ -180,10 +181,9 @@ Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t large
   if (!text) return text.error();
   if (has_extension(path, ".node")) return parse_node(*text, {path, progress});
   if (!has_extension(path, ".poly") && !has_extension(path, ".smesh"))
-    return Error{
-        ErrorCode::kUnreadable, path + ": holds no points; name its .node or .poly file", {}};
+    return Error{ErrorCode::kUnreadable, {path, ": holds no points; name its .node or .poly file"}};
   if (!poly_refers_to_node(*text)) return parse_domain(*text, {path, progress}, nullptr);
-  const std::string node = triangle_set_name(path) + ".node";
+  const std::string node = concat({triangle_set_name(path), ".node"});
   const auto node_text = read_input(node, largest);
   if (!node_text) return node_text.error();
   const auto points = parse_node(*node_text, {node, progress});
@@ -196,7 +196,7 @@ Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geo
   const std::string set = triangle_set_name(path);
   const bool all = empty == EmptyFiles::kWrite;
   const auto add = [&](const char* extension, const auto& write) {
-    return outputs.add(set + extension, [&](TextWriter& out) { write(out, geometry); });
+    return outputs.add(concat({set, extension}), [&](TextWriter& out) { write(out, geometry); });
   };
   const auto write_references = [](TextWriter& out, const Geometry& g) {
     write_poly(out, g, PolyPoints::kInNodeFile);
@@ -221,11 +221,10 @@ Status write_poly_file(OutputSet& outputs, const std::string& path, const Geomet
 
 Status write_smesh_file(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
   if (geometry.dimension != 3)
-    return Error{ErrorCode::kUsage, path + ": only a domain in space can be an .smesh file", {}};
+    return Error{ErrorCode::kUsage, {path, ": only a domain in space can be an .smesh file"}};
   if (!std::all_of(geometry.polygons.begin(), geometry.polygons.end(), is_simple))
     return Error{ErrorCode::kUsage,
-                 path + ": a facet has holes or several polygons; write a .poly file",
-                 {}};
+                 {path, ": a facet has holes or several polygons; write a .poly file"}};
   return outputs.add(path,
                      [&](TextWriter& out) { write_smesh(out, geometry, PolyPoints::kInside); });
 }

@@ -4,6 +4,7 @@
 #include "wellspaced/io/formats/space_domain.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -26,7 +27,7 @@ class TriangleParser {
 
   bool ok() const { return scanner_.ok(); }
   const Error& error() const { return scanner_.error(); }
-  void fail(ErrorCode code, std::string_view message) { scanner_.fail(code, message); }
+  Scanner& scanner() { return scanner_; }
 
  private:
   struct PointHeader {
@@ -55,8 +56,7 @@ Index TriangleParser::read_columns(const char* what) {
   constexpr std::int64_t kMost = 1'000'000;
   const std::int64_t count = scanner_.integer_or(0, what);
   if (count < 0 || count > kMost)
-    fail(ErrorCode::kUnreadable,
-         "the " + std::string(what) + " " + std::to_string(count) + " makes no sense");
+    scanner_.fail(ErrorCode::kUnreadable, {"the ", what, " ", count, " makes no sense"});
   return ok() ? static_cast<Index>(count) : 0;
 }
 
@@ -67,7 +67,7 @@ TriangleParser::PointHeader TriangleParser::read_point_header() {
   header.count = scanner_.count("points", 3);
   const std::int64_t dimension = scanner_.integer_or(2, "dimension");
   if (dimension != 2 && dimension != 3)
-    fail(ErrorCode::kUnreadable, "the dimension is " + std::to_string(dimension) + ", not 2 or 3");
+    scanner_.fail(ErrorCode::kUnreadable, {"the dimension is ", dimension, ", not 2 or 3"});
   header.dimension = dimension == 3 ? 3 : 2;
   header.attributes = read_columns("number of attributes");
   header.markers = read_columns("number of markers") != 0;
@@ -80,12 +80,11 @@ TriangleParser::PointHeader TriangleParser::read_point_header() {
 void TriangleParser::read_point_number(Index i, Geometry& geometry) {
   const std::int64_t number = scanner_.integer("point number");
   if (i == 0 && number != 0 && number != 1)
-    fail(ErrorCode::kUnreadable,
-         "the first point has number " + std::to_string(number) + ", not 0 or 1");
+    scanner_.fail(ErrorCode::kUnreadable, {"the first point has number ", number, ", not 0 or 1"});
   if (i == 0) geometry.index_base = number == 1 ? 1 : 0;
   if (const std::int64_t expected = std::int64_t{i} + geometry.index_base; number != expected)
-    fail(ErrorCode::kUnreadable, "point number " + std::to_string(number) + " where " +
-                                     std::to_string(expected) + " should follow");
+    scanner_.fail(ErrorCode::kUnreadable,
+                  {"point number ", number, " where ", expected, " should follow"});
 }
 
 void TriangleParser::read_point(const PointHeader& header, Geometry& geometry) {
@@ -204,9 +203,9 @@ void TriangleParser::read_cells(Geometry& geometry) {
   const Index expected = geometry.dimension == 3 ? 4 : 3;
   const std::int64_t corners = scanner_.integer_or(expected, "number of corners");
   if (corners != expected)
-    fail(ErrorCode::kUnreadable, "elements have " + std::to_string(corners) +
-                                     " nodes; only linear ones, with " + std::to_string(expected) +
-                                     " over these points, are understood");
+    scanner_.fail(ErrorCode::kUnreadable,
+                  {"elements have ", corners, " nodes; only linear ones, with ", expected,
+                   " over these points, are understood"});
   Attributes& attributes = geometry.cell_attributes;
   attributes.columns = read_columns("number of attributes");
   const std::uint64_t fields = std::uint64_t{1} + expected + attributes.columns;
@@ -220,7 +219,7 @@ void TriangleParser::read_cells(Geometry& geometry) {
 
 void TriangleParser::require_end() {
   if (scanner_.next_line())
-    fail(ErrorCode::kUnreadable, "more lines follow than the headers announce");
+    scanner_.fail(ErrorCode::kUnreadable, "more lines follow than the headers announce");
 }
 
 }  // namespace
@@ -264,7 +263,7 @@ Result<Geometry> parse_smesh(std::string_view text, const TextSource& source,
   parser.read_points(geometry);
   if (geometry.point_count() == 0 && points != nullptr) geometry = *points;
   if (geometry.dimension != 3)
-    parser.fail(ErrorCode::kUnreadable, "the points of an .smesh file must lie in space");
+    parser.scanner().fail(ErrorCode::kUnreadable, "the points of an .smesh file must lie in space");
   parser.read_domain_in_space(FacetSyntax::kSmesh, geometry);
   parser.require_end();
   if (!parser.ok()) return parser.error();

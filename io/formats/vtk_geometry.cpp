@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/io/formats/vtk.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -64,7 +65,7 @@ std::vector<int> markers_of(const VtkField* field, std::size_t count) {
 Attributes read_attributes(const std::vector<VtkField>& fields,
                            const std::vector<std::size_t>& which) {
   std::vector<const VtkField*> columns;
-  while (const VtkField* field = find_field(fields, "attribute" + std::to_string(columns.size())))
+  while (const VtkField* field = find_field(fields, concat({"attribute", columns.size()})))
     columns.push_back(field);
   Attributes attributes;
   attributes.columns = static_cast<Index>(columns.size());
@@ -89,10 +90,8 @@ Status GridReader::add_cell(std::uint8_t type, std::span<const Index> corners, i
     solid.tets.push_back({corners[0], corners[1], corners[2], corners[3]});
   } else {
     return Error{ErrorCode::kUnreadable,
-                 name_ + ": cells of VTK type " + std::to_string(type) + " with " +
-                     std::to_string(n) +
-                     " corners are not understood, only lines, polygons and tetrahedra",
-                 {}};
+                 {name_, ": cells of VTK type ", type, " with ", n,
+                  " corners are not understood, only lines, polygons and tetrahedra"}};
   }
   return Ok{};
 }
@@ -136,7 +135,7 @@ Result<Geometry> GridReader::read() {
 }
 
 Error wrong_grid(const std::string& name, const std::string& what) {
-  return {ErrorCode::kInvalidGeometry, name + ": " + what, {}};
+  return {ErrorCode::kInvalidGeometry, {name, ": ", what}};
 }
 
 Status check_grid(const VtkGrid& grid, const std::string& name) {
@@ -144,13 +143,13 @@ Status check_grid(const VtkGrid& grid, const std::string& name) {
   for (std::size_t i = 0; i < grid.points.size(); ++i) {
     const Point3& p = grid.points[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return wrong_grid(name, "point " + std::to_string(i) + " (counted from 0) is not finite");
+      return wrong_grid(name, concat({"point ", i, " (counted from 0) is not finite"}));
   }
   if (grid.points.size() >= kNoIndex)
-    return Error{ErrorCode::kLimit, name + ": more than 4294967294 points", {}};
+    return Error{ErrorCode::kLimit, {name, ": more than 4294967294 points"}};
   if (grid.offsets.size() != grid.types.size())
-    return wrong_grid(name, "there are " + std::to_string(grid.offsets.size()) + " offsets for " +
-                                std::to_string(grid.types.size()) + " types of cells");
+    return wrong_grid(name, concat({"there are ", grid.offsets.size(), " offsets for ",
+                                    grid.types.size(), " types of cells"}));
   std::int64_t begin = 0;
   for (const std::int64_t end : grid.offsets) {
     if (end < begin) return wrong_grid(name, "the offsets of cells do not ascend");
@@ -160,8 +159,8 @@ Status check_grid(const VtkGrid& grid, const std::string& name) {
     return wrong_grid(name, "the offsets of cells do not end with their corners");
   for (const std::int64_t v : grid.connectivity)
     if (v < 0 || v >= points)
-      return wrong_grid(name, "point " + std::to_string(v) + " is not among the " +
-                                  std::to_string(points) + " points, counted from 0");
+      return wrong_grid(
+          name, concat({"point ", v, " is not among the ", points, " points, counted from 0"}));
   const auto fits = [](const std::vector<VtkField>& fields, std::size_t count) {
     return std::all_of(fields.begin(), fields.end(), [&](const VtkField& field) {
       return std::visit([](const auto& values) { return values.size(); }, field.values) == count;

@@ -6,6 +6,7 @@
 #include "wellspaced/io/formats/vtk.hpp"
 #include "wellspaced/io/text/bytes.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -126,21 +127,22 @@ void VtkParser::read_header() {
   const std::string_view encoding = scanner_.word("encoding");
   binary_ = encoding == "BINARY";
   if (!binary_ && encoding != "ASCII")
-    scanner_.fail(ErrorCode::kUnreadable, in_quotes(encoding) + " where ASCII or BINARY should be");
+    scanner_.fail(ErrorCode::kUnreadable,
+                  {in_quotes(encoding), " where ASCII or BINARY should be"});
   if (scanner_.word("keyword DATASET") != "DATASET")
     scanner_.fail(ErrorCode::kUnreadable, "DATASET is missing");
   const std::string_view kind = scanner_.word("kind of data set");
   if (kind != "UNSTRUCTURED_GRID" && kind != "POLYDATA")
     scanner_.fail(ErrorCode::kUnreadable,
-                  "data sets of kind " + in_quotes(kind) +
-                      " are not understood, only UNSTRUCTURED_GRID and POLYDATA");
+                  {"data sets of kind ", in_quotes(kind),
+                   " are not understood, only UNSTRUCTURED_GRID and POLYDATA"});
 }
 
 VtkType VtkParser::read_type() {
   const std::string_view name = scanner_.word("type of numbers");
   const VtkType type = vtk_type(name);
   if (type == VtkType::kNone)
-    scanner_.fail(ErrorCode::kUnreadable, "numbers of type " + in_quotes(name) + " are not known");
+    scanner_.fail(ErrorCode::kUnreadable, {"numbers of type ", in_quotes(name), " are not known"});
   return type;
 }
 
@@ -171,7 +173,7 @@ std::vector<std::int64_t> VtkParser::read_integers(std::uint64_t count, VtkType 
     const bool fits = value >= -kMost && value <= kMost;
     integers.push_back(fits ? static_cast<std::int64_t>(value) : -1);
     if (!fits || static_cast<double>(integers.back()) != value)
-      scanner_.fail(ErrorCode::kUnreadable, "one of the " + std::string(what) + " is no integer");
+      scanner_.fail(ErrorCode::kUnreadable, {"one of the ", what, " is no integer"});
   }
   return integers;
 }
@@ -198,7 +200,7 @@ void VtkParser::read_old_cells(std::uint64_t count, std::uint64_t size, std::uin
     const std::int64_t corners = at < values.size() ? values[at] : -1;
     if (corners < 0 || static_cast<std::uint64_t>(corners) > values.size() - at - 1)
       return scanner_.fail(ErrorCode::kUnreadable,
-                           "cell " + std::to_string(cell) + " (counted from 0) is incomplete");
+                           {"cell ", cell, " (counted from 0) is incomplete"});
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(at) + 1;
     add_cells({begin, begin + corners}, type);
     at += static_cast<std::size_t>(corners) + 1;
@@ -326,7 +328,7 @@ bool VtkParser::read_section() {
   if (keyword == "POINTS") {
     read_points();
   } else if (!read_cell_section(keyword) && !read_data_section(keyword)) {
-    scanner_.fail(ErrorCode::kUnreadable, "the section " + in_quotes(keyword) + " is not known");
+    scanner_.fail(ErrorCode::kUnreadable, {"the section ", in_quotes(keyword), " is not known"});
   }
   return scanner_.ok();
 }

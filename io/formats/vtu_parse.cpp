@@ -11,6 +11,7 @@
 #include "wellspaced/io/text/markup_reader.hpp"
 #include "wellspaced/io/text/numbers.hpp"
 #include "wellspaced/io/text/scanner.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -79,7 +80,7 @@ class VtuParser {
 };
 
 void VtuParser::fail(std::uint64_t line, const std::string& message, ErrorCode code) {
-  if (ok()) error_ = Error{code, source_.name + ":" + std::to_string(line) + ": " + message, {}};
+  if (ok()) error_ = Error{code, {source_.name, ":", line, ": ", message}};
 }
 
 std::uint64_t VtuParser::attribute_number(const MarkupTag& tag, std::string_view key,
@@ -88,7 +89,7 @@ std::uint64_t VtuParser::attribute_number(const MarkupTag& tag, std::string_view
   if (!text) return otherwise;
   const auto value = parse_integer(*text);
   if (value && *value >= 0 && *value < kNoIndex) return static_cast<std::uint64_t>(*value);
-  fail(tag.line, std::string(key) + " is " + in_quotes(*text) + ", which makes no sense");
+  fail(tag.line, concat({key, " is ", in_quotes(*text), ", which makes no sense"}));
   return otherwise;
 }
 
@@ -103,8 +104,8 @@ void VtuParser::read_root(const MarkupTag& tag) {
   const std::string_view compressor = tag.attribute("compressor").value_or("");
   compressed_ = !compressor.empty();
   if (compressed_ && compressor != "vtkZLibDataCompressor")
-    fail(tag.line,
-         "the compressor " + in_quotes(compressor) + " is not known, only vtkZLibDataCompressor");
+    fail(tag.line, concat({"the compressor ", in_quotes(compressor),
+                           " is not known, only vtkZLibDataCompressor"}));
 }
 
 void VtuParser::read_piece(const MarkupTag& tag) {
@@ -232,7 +233,7 @@ std::string VtuParser::bytes_of(const VtuArray& array) {
   if (ok() && !source_.keep_going(array.line, reader_.line())) error_ = source_.cancelled();
   const bool appended = array.format == "appended";
   if (!appended && array.format != "binary") {
-    fail(array.line, "the format " + in_quotes(array.format) + " of an array is not known");
+    fail(array.line, concat({"the format ", in_quotes(array.format), " of an array is not known"}));
     return {};
   }
   if (appended && array.offset > appended_.size()) {
@@ -243,7 +244,8 @@ std::string VtuParser::bytes_of(const VtuArray& array) {
                                          : without_white_space_around(array.text);
   const bool base64 = !appended || appended_base64_;
   VtuBlock block = compressed_ ? decode_compressed(data, base64) : decode_plain(data, base64);
-  if (!block.good) fail(array.line, "the array " + in_quotes(array.name) + " cannot be decoded");
+  if (!block.good)
+    fail(array.line, concat({"the array ", in_quotes(array.name), " cannot be decoded"}));
   return std::move(block.bytes);
 }
 
@@ -251,12 +253,12 @@ std::vector<double> VtuParser::ascii_values(const VtuArray& array, std::uint64_t
   Scanner scanner(array.text, source_, {.comment = 0, .across_lines = true});
   std::vector<double> values;
   if (!scanner.has_room_for(count, 1, "values"))
-    fail(array.line, "the array " + in_quotes(array.name) + " is too short");
+    fail(array.line, concat({"the array ", in_quotes(array.name), " is too short"}));
   while (ok() && scanner.more()) values.push_back(scanner.any_number("value"));
   if (ok() && !scanner.ok() && scanner.error().code == ErrorCode::kCancelled)
     error_ = scanner.error();
   if (!scanner.ok())
-    fail(array.line, "the array " + in_quotes(array.name) + " holds what is no number");
+    fail(array.line, concat({"the array ", in_quotes(array.name), " holds what is no number"}));
   return values;
 }
 
@@ -291,12 +293,13 @@ std::vector<double> VtuParser::values(const VtuArray& array, std::uint64_t count
     result = ascii_values(array, count == kNoIndex ? 0 : count);
   } else {
     auto numbers = numbers_of_type(array.type, bytes_of(array), order_);
-    if (!numbers) fail(array.line, "arrays of type " + in_quotes(array.type) + " are not known");
+    if (!numbers)
+      fail(array.line, concat({"arrays of type ", in_quotes(array.type), " are not known"}));
     if (numbers) result = *std::move(numbers);
   }
   if (ok() && count != kNoIndex && result.size() != count)
-    fail(array.line, "the array " + in_quotes(array.name) + " holds " +
-                         std::to_string(result.size()) + " values, not " + std::to_string(count));
+    fail(array.line, concat({"the array ", in_quotes(array.name), " holds ", result.size(),
+                             " values, not ", count}));
   return result;
 }
 
@@ -307,7 +310,7 @@ std::vector<std::int64_t> VtuParser::integers(const VtuArray& array, std::uint64
     const bool fits = value >= 0 && value <= kMost;
     result.push_back(fits ? static_cast<std::int64_t>(value) : 0);
     if (!fits || static_cast<double>(result.back()) != value)
-      fail(array.line, "the array " + in_quotes(array.name) + " holds what is no index");
+      fail(array.line, concat({"the array ", in_quotes(array.name), " holds what is no index"}));
   }
   return result;
 }

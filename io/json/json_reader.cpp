@@ -1,4 +1,5 @@
 #include "wellspaced/io/json/json_reader.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -187,8 +188,7 @@ Result<JsonValue> parse_json(std::string_view text, const std::string& name) {
   JsonValue value;
   JsonParser parser(text);
   if (parser.parse(value)) return value;
-  return Error{
-      ErrorCode::kUnreadable, name + ":" + std::to_string(parser.line()) + ": this is no JSON", {}};
+  return Error{ErrorCode::kUnreadable, {name, ":", parser.line(), ": this is no JSON"}};
 }
 
 }  // namespace wellspaced

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wellspaced/io/text/text_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -20,7 +21,7 @@ std::string escape(unsigned char control) {
     case '\t':
       return "\\t";
     default:
-      return std::string("\\u00") + kDigits[control >> 4] + kDigits[control & 15];
+      return concat({"\\u00", kDigits[control >> 4], kDigits[control & 15]});
   }
 }
 
@@ -61,12 +62,13 @@ std::string json_string(std::string_view text) {
     }
     text.remove_prefix(length == 0 ? 1 : length);
   }
-  return result + '"';
+  result += '"';
+  return result;
 }
 
 JsonWriter& JsonWriter::key(std::string_view name) {
   separate();
-  text_ += json_string(name) + ':';
+  append(text_, {json_string(name), ':'});
   first_ = true;
   return *this;
 }

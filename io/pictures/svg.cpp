@@ -5,6 +5,7 @@
 
 #include "wellspaced/io/pictures/pen.hpp"
 #include "wellspaced/io/text/markup.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
@@ -62,8 +63,7 @@ std::string point_path(const TriangleMesh& mesh, const Frame& frame) {
   }
   sort_unique(places);
   std::string data;
-  for (const auto& [x, y] : places)
-    data += 'M' + std::to_string(x) + ' ' + std::to_string(y) + "h0";
+  for (const auto& [x, y] : places) append(data, {'M', x, ' ', y, "h0"});
   return data;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/io/text/text_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -145,14 +146,14 @@ std::string failure(const Check& check) {
 }
 
 std::string check_line(const Check& check) {
-  std::string line = "  " + padded(level_prefix(check.level) + check.name, 34);
+  std::string line = concat({"  ", padded(concat({level_prefix(check.level), check.name}), 34)});
   line += check.required ? "required  " : "          ";
-  return line + (check.pass() ? "pass" : failure(check)) + "\n";
+  return concat({line, check.pass() ? "pass" : failure(check), "\n"});
 }
 
 std::string theorem_line(const audit::Theorem& theorem) {
   TextWriter text;
-  text << "  theorem " << padded(level_prefix(theorem.level) + theorem.name, 12) << ' '
+  text << "  theorem " << padded(concat({level_prefix(theorem.level), theorem.name}), 12) << ' '
        << padded(theorem.statement, 42) << ' ';
   if (!theorem.applies()) {
     text << "does not apply: not that " << theorem.missing_hypothesis << '\n';
@@ -181,7 +182,8 @@ std::string level_cell(const audit::Report& report, Index level, std::string_vie
 }
 
 std::string aligned(std::string text) {
-  return text.size() < 12 ? std::string(12 - text.size(), ' ') + text : ' ' + text;
+  return text.size() < 12 ? concat({std::string(12 - text.size(), ' '), text})
+                          : concat({' ', text});
 }
 
 std::string level_table(const audit::Report& report) {
@@ -191,10 +193,10 @@ std::string level_table(const audit::Report& report) {
   for (const auto& [title, name] : kColumns) text += aligned(std::string(title));
   for (Index level = 0; level < count; ++level) {
     std::string number = std::to_string(level);
-    text += "\n  " + std::string(5 - std::min<std::size_t>(5, number.size()), ' ') + number;
+    append(text, {"\n  ", std::string(5 - std::min<std::size_t>(5, number.size()), ' '), number});
     for (const auto& [title, name] : kColumns) text += aligned(level_cell(report, level, name));
   }
-  return text + "\n";
+  return concat({text, "\n"});
 }
 
 void mark(std::vector<std::int32_t>& field, const std::vector<Index>& ids) {
@@ -224,14 +226,15 @@ void append_audit_json(JsonWriter& json, const audit::Report& report) {
 }
 
 std::string audit_table(const audit::Report& report) {
-  std::string text = std::string("verdict: ") + (report.pass() ? "pass" : "FAIL") + "\n";
+  std::string text = concat({"verdict: ", report.pass() ? "pass" : "FAIL", "\n"});
   for (const Check& check : report.checks)
     if (!check.level || !check.pass()) text += check_line(check);
   for (const audit::Measure& measure : report.measures)
-    if (!measure.level) text += "  " + padded(measure.name, 34) + six_digits(measure.value) + "\n";
+    if (!measure.level)
+      append(text, {"  ", padded(measure.name, 34), six_digits(measure.value), "\n"});
   for (const audit::Theorem& theorem : report.theorems)
     if (!theorem.level || theorem.applies()) text += theorem_line(theorem);
-  return text + level_table(report);
+  return concat({text, level_table(report)});
 }
 
 void mark_offenders(const audit::Report& report, VtkGrid& grid) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/io/report/table_text.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -95,7 +96,7 @@ std::vector<std::string> lines_of(const LevelTable& table) {
       groups.resize(std::max(groups.size(), lines[0].size()) + 2, ' ');
       groups += group;
     }
-    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += "  " + cells[i];
+    for (std::size_t i = 0; i < lines.size(); ++i) append(lines[i], {"  ", cells[i]});
   }
   lines.insert(lines.begin(), {table.title, groups});
   return lines;
@@ -122,7 +123,7 @@ std::string level_tables(std::span<const LevelTable> tables) {
     for (const std::string& line : joined) start = std::max(start, line.size() + kGap);
   }
   std::string text;
-  for (std::string& line : joined) text += without_trailing_blanks(std::move(line)) + '\n';
+  for (std::string& line : joined) append(text, {without_trailing_blanks(std::move(line)), '\n'});
   return text;
 }
 

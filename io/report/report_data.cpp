@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/json/json_writer.hpp"
 #include "wellspaced/io/text/base64.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 
 namespace wellspaced {
@@ -204,7 +205,7 @@ void write_optional(JsonWriter& json, std::string_view name, const std::optional
 void write_mean_and_max(JsonWriter& json, const std::string& name,
                         const std::optional<MeanAndMax>& value) {
   if (!value) return;
-  json.field(name + "_mean", value->mean).field(name + "_max", value->max);
+  json.field(concat({name, "_mean"}), value->mean).field(concat({name, "_max"}), value->max);
 }
 
 void write_statistics(JsonWriter& json, const LevelStatistics& s) {

@@ -12,6 +12,7 @@
 #include "wellspaced/io/text/base64.hpp"
 #include "wellspaced/io/text/bytes.hpp"
 #include "wellspaced/io/text/markup.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -95,8 +96,8 @@ std::string solid_data(const SolidReport& report) {
 std::string parameter_list(const ReportParameters& parameters) {
   std::string list = "<dl>\n";
   for (const auto& [name, value] : parameters)
-    list += "<dt>" + escape_markup(name) + "</dt><dd>" + escape_markup(value) + "</dd>\n";
-  return list + "</dl>";
+    append(list, {"<dt>", escape_markup(name), "</dt><dd>", escape_markup(value), "</dd>\n"});
+  return concat({list, "</dl>"});
 }
 
 }  // namespace

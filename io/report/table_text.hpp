@@ -5,6 +5,8 @@
 #include <charconv>
 #include <string>
 
+#include "wellspaced/kernel/concat.hpp"
+
 namespace wellspaced {
 
 /// A number with so many digits after the point.
@@ -15,7 +17,7 @@ inline std::string decimal(double value, int digits = 2) {
 }
 
 inline std::string right_aligned(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
+  return concat({std::string(width - std::min(width, text.size()), ' '), text});
 }
 
 }  // namespace wellspaced

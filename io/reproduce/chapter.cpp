@@ -8,6 +8,7 @@
 #include "wellspaced/io/reproduce/published.hpp"
 #include "wellspaced/io/reproduce/sequence_figures.hpp"
 #include "wellspaced/io/reproduce/work_tables.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -21,9 +22,9 @@ Result<Exhibit> sequence_exhibit(Laboratory& laboratory, Exhibit exhibit, const 
   add_sequence_charts(exhibit);
   if (const PublishedSequence* printed = published_sequence(mesh, "mis");
       printed != nullptr && printed->small_angle_sums)
-    exhibit.notes.push_back("Under \"≤ 10\" the thesis prints the sums of its " +
-                            std::to_string(printed->runs) + " runs; here they are divided by " +
-                            std::to_string(printed->runs) + ", as elsewhere.");
+    exhibit.notes.push_back(
+        concat({"Under \"≤ 10\" the thesis prints the sums of its ", printed->runs,
+                " runs; here they are divided by ", printed->runs, ", as elsewhere."}));
   return exhibit;
 }
 

@@ -8,6 +8,7 @@
 #include "wellspaced/io/report/table_text.hpp"
 #include "wellspaced/io/reproduce/exhibit_files.hpp"
 #include "wellspaced/io/text/markup.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -16,11 +17,13 @@ constexpr double kFewNodes = 50;
 constexpr std::size_t kLongTable = 12;  // rows; longer ones may break over pages
 
 std::string tagged(const std::string& tag, const std::string& text, const std::string& more = "") {
-  return '<' + tag + more + '>' + text + "</" + tag + '>';
+  return concat({'<', tag, more, '>', text, "</", tag, '>'});
 }
 
 std::string paragraph(const std::string& text, const std::string& kind) {
-  return text.empty() ? "" : tagged("p", escape_markup(text), " class=\"" + kind + "\"") + '\n';
+  return text.empty()
+             ? ""
+             : concat({tagged("p", escape_markup(text), concat({" class=\"", kind, "\""})), '\n'});
 }
 
 // Adds what a table compares.
@@ -49,8 +52,8 @@ void add_sizes(const ExhibitTable& half, Agreement& agreement) {
 std::string column_class(const ExhibitTable& table, std::size_t i, const std::string& more = "") {
   const bool first = i > 0 && !table.columns[i].group.empty() &&
                      table.columns[i].group != table.columns[i - 1].group;
-  const std::string names = (first ? "first" : "") + (more.empty() ? "" : ' ' + more);
-  return names.empty() ? "" : " class=\"" + names + '"';
+  const std::string names = concat({first ? "first" : "", more.empty() ? "" : concat({' ', more})});
+  return names.empty() ? "" : concat({" class=\"", names, '"'});
 }
 
 std::string group_heads(const ExhibitTable& table) {
@@ -58,39 +61,39 @@ std::string group_heads(const ExhibitTable& table) {
   for (std::size_t i = 0; i < table.columns.size();) {
     std::size_t end = i + 1;
     while (end < table.columns.size() && table.columns[end].group == table.columns[i].group) ++end;
-    text += tagged(
-        "th", escape_markup(table.columns[i].group),
-        " scope=\"colgroup\" colspan=\"" + std::to_string(end - i) + '"' + column_class(table, i));
+    text +=
+        tagged("th", escape_markup(table.columns[i].group),
+               concat({" scope=\"colgroup\" colspan=\"", end - i, '"', column_class(table, i)}));
     i = end;
   }
   return text;
 }
 
 std::string table_head(const ExhibitTable& table) {
-  std::string names = tagged("th", table.row_heading, " scope=\"col\"") + "<td></td>";
+  std::string names = concat({tagged("th", table.row_heading, " scope=\"col\""), "<td></td>"});
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     names += tagged("th", escape_markup(table.columns[i].name),
-                    " scope=\"col\"" + column_class(table, i));
-  return "<thead>\n" + tagged("tr", "<td></td><td></td>" + group_heads(table)) + '\n' +
-         tagged("tr", names) + "\n</thead>\n";
+                    concat({" scope=\"col\"", column_class(table, i)}));
+  return concat({"<thead>\n", tagged("tr", concat({"<td></td><td></td>", group_heads(table)})),
+                 '\n', tagged("tr", names), "\n</thead>\n"});
 }
 
 std::string our_line(const ExhibitTable& table, std::size_t row, const std::string& whose) {
-  std::string line = tagged("th", escape_markup(table.rows[row].label), " scope=\"row\"") +
-                     tagged("td", whose, " class=\"whose\"");
+  std::string line = concat({tagged("th", escape_markup(table.rows[row].label), " scope=\"row\""),
+                             tagged("td", whose, " class=\"whose\"")});
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     line += tagged("td", figure_text(table.rows[row].cells[i].ours, table.columns[i].digits),
                    column_class(table, i, is_beyond(table, row, i) ? "beyond" : ""));
-  return tagged("tr", line) + '\n';
+  return concat({tagged("tr", line), '\n'});
 }
 
 template <class Text>
 std::string other_line(const ExhibitTable& table, const ExhibitRow& row, const std::string& whose,
                        Text text) {
-  std::string line = "<td></td>" + tagged("td", whose, " class=\"whose\"");
+  std::string line = concat({"<td></td>", tagged("td", whose, " class=\"whose\"")});
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     line += tagged("td", text(table.columns[i], row.cells[i]), column_class(table, i));
-  return tagged("tr", line, " class=\"" + whose + '"') + '\n';
+  return concat({tagged("tr", line, concat({" class=\"", whose, '"'})), '\n'});
 }
 
 std::string row_lines(const ExhibitTable& table, std::size_t row, const std::string& whose) {
@@ -101,25 +104,25 @@ std::string row_lines(const ExhibitTable& table, std::size_t row, const std::str
       other_line(table, cells, "thesis", [](const ExhibitColumn& column, const ExhibitCell& cell) {
         return figure_text(cell.published, column.digits);
       });
-  return lines + other_line(table, cells, "difference", difference_text);
+  return concat({lines, other_line(table, cells, "difference", difference_text)});
 }
 
 std::string table_html(const ExhibitTable& table) {
   const bool compares = has_published(table);
   std::string body;
   for (std::size_t row = 0; row < table.rows.size(); ++row)
-    body += tagged("tbody", '\n' + row_lines(table, row, compares ? "ours" : ""),
-                   compares ? " class=\"level\"" : "") +
-            '\n';
-  const std::string note = table.note.empty() ? "" : ". " + table.note;
+    append(body, {tagged("tbody", concat({'\n', row_lines(table, row, compares ? "ours" : "")}),
+                         compares ? " class=\"level\"" : ""),
+                  '\n'});
+  const std::string note = table.note.empty() ? "" : concat({". ", table.note});
   const std::string caption =
-      tagged("caption",
-             escape_markup(table.title) + tagged("span", escape_markup(note), " class=\"note\"")) +
-      '\n';
+      concat({tagged("caption", concat({escape_markup(table.title),
+                                        tagged("span", escape_markup(note), " class=\"note\"")})),
+              '\n'});
   const std::string kind = table.rows.size() > kLongTable ? "table long" : "table";
-  return tagged("div", tagged("table", '\n' + caption + table_head(table) + body),
-                " class=\"" + kind + '"') +
-         '\n';
+  return concat({tagged("div", tagged("table", concat({'\n', caption, table_head(table), body})),
+                        concat({" class=\"", kind, '"'})),
+                 '\n'});
 }
 
 // ---- Pictures and exhibits
@@ -128,37 +131,44 @@ std::string pictures_html(const Exhibit& exhibit) {
   std::string plates;
   for (const ExhibitPicture& picture : exhibit.pictures)
     if (!picture.repeats)
-      plates += tagged("figure", picture.svg + tagged("figcaption", escape_markup(picture.caption)),
-                       " id=\"picture-" + escape_markup(picture.name) + '"') +
-                '\n';
+      append(plates,
+             {tagged("figure",
+                     concat({picture.svg, tagged("figcaption", escape_markup(picture.caption))}),
+                     concat({" id=\"picture-", escape_markup(picture.name), '"'})),
+              '\n'});
   if (plates.empty()) return "";
   const bool wide = exhibit.name == "drawings";
-  return tagged("div", '\n' + plates, wide ? " class=\"plates wide\"" : " class=\"plates\"") + '\n';
+  return concat(
+      {tagged("div", concat({'\n', plates}), wide ? " class=\"plates wide\"" : " class=\"plates\""),
+       '\n'});
 }
 
 std::string exhibit_html(const Exhibit& exhibit) {
-  std::string text = tagged("h2", escape_markup(exhibit.title)) + '\n';
+  std::string text = concat({tagged("h2", escape_markup(exhibit.title)), '\n'});
   for (const std::string& note : exhibit.notes) text += paragraph(note, "note");
   for (const ExhibitTable& table : exhibit.tables)
     if (!table.repeats) text += table_html(table);
   text += pictures_html(exhibit);
-  return tagged("section", '\n' + text, " id=\"" + escape_markup(exhibit.name) + '"') + '\n';
+  return concat({tagged("section", concat({'\n', text}),
+                        concat({" id=\"", escape_markup(exhibit.name), '"'})),
+                 '\n'});
 }
 
 std::string contents_html(std::span<const Exhibit> exhibits) {
   std::string items = tagged("li", "<a href=\"#differences\">What differs, and why</a>");
   for (const Exhibit& exhibit : exhibits)
-    items += tagged("li", tagged("a", escape_markup(exhibit.title),
-                                 " href=\"#" + escape_markup(exhibit.name) + '"')) +
-             '\n';
-  return tagged("nav", tagged("ol", '\n' + items), " aria-label=\"Contents\"") + '\n';
+    append(items, {tagged("li", tagged("a", escape_markup(exhibit.title),
+                                       concat({" href=\"#", escape_markup(exhibit.name), '"'}))),
+                   '\n'});
+  return concat(
+      {tagged("nav", tagged("ol", concat({'\n', items})), " aria-label=\"Contents\""), '\n'});
 }
 
 // ---- What differs
 
 std::string place_text(const Deviation& d) {
-  return d.row + ", " + d.column + ": " + figure_text(d.ours, d.digits) + " (" +
-         figure_text(d.published, d.digits) + ")";
+  return concat({d.row, ", ", d.column, ": ", figure_text(d.ours, d.digits), " (",
+                 figure_text(d.published, d.digits), ")"});
 }
 
 // One row for all figures of a table that differ for the same reason, in the order of the first.
@@ -168,15 +178,17 @@ std::string reasons_table(std::span<const Deviation> found) {
   for (const Deviation& deviation : found) {
     std::string& list = places[{deviation.table, deviation.reason}];
     if (list.empty()) firsts.push_back(&deviation);
-    list += (list.empty() ? "" : "; ") + place_text(deviation);
+    append(list, {list.empty() ? "" : "; ", place_text(deviation)});
   }
   std::string rows = "<tr><th>table</th><th>ours (thesis)</th><th>why</th></tr>\n";
   for (const Deviation* first : firsts)
-    rows += tagged("tr", tagged("td", escape_markup(first->table)) +
-                             tagged("td", escape_markup(places[{first->table, first->reason}])) +
-                             tagged("td", escape_markup(first->reason))) +
-            '\n';
-  return tagged("div", tagged("table", '\n' + rows, " class=\"reasons\""), " class=\"table long\"");
+    append(rows,
+           {tagged("tr", concat({tagged("td", escape_markup(first->table)),
+                                 tagged("td", escape_markup(places[{first->table, first->reason}])),
+                                 tagged("td", escape_markup(first->reason))})),
+            '\n'});
+  return tagged("div", tagged("table", concat({'\n', rows}), " class=\"reasons\""),
+                " class=\"table long\"");
 }
 
 std::vector<Deviation> all_deviations(std::span<const Exhibit> exhibits) {
@@ -194,24 +206,25 @@ std::string differences_html(std::span<const Deviation> found) {
       "figures have a star.",
       "note");
   if (!found.empty()) text += reasons_table(found);
-  return tagged("section", '\n' + text, " id=\"differences\"") + '\n';
+  return concat({tagged("section", concat({'\n', text}), " id=\"differences\""), '\n'});
 }
 
 // ---- The head
 
 std::string lead_html(const ChapterPage& page) {
-  return paragraph(
-             "Tables and figures of Dafna Talmor's thesis, made again by wellspaced, beside the "
-             "published ones.",
-             "lead headline") +
-         paragraph(agreement_text(agreement_of(page.exhibits)), "lead");
+  return concat(
+      {paragraph(
+           "Tables and figures of Dafna Talmor's thesis, made again by wellspaced, beside the "
+           "published ones.",
+           "lead headline"),
+       paragraph(agreement_text(agreement_of(page.exhibits)), "lead")});
 }
 
 std::string parameters_html(const ChapterPage& page) {
   std::string items;
   for (const auto& [name, value] : page.parameters)
-    items += tagged("dt", escape_markup(name)) + tagged("dd", escape_markup(value)) + '\n';
-  return tagged("dl", '\n' + items);
+    append(items, {tagged("dt", escape_markup(name)), tagged("dd", escape_markup(value)), '\n'});
+  return tagged("dl", concat({'\n', items}));
 }
 
 }  // namespace
@@ -222,7 +235,7 @@ Agreement agreement_of(std::span<const Exhibit> exhibits) {
     for (const ExhibitTable& table : exhibit.tables) {
       if (table.repeats || !table.comparable) continue;
       add_agreement(table, agreement);
-      if (table.name == exhibit.name + "-function") add_sizes(table, agreement);
+      if (table.name == concat({exhibit.name, "-function"})) add_sizes(table, agreement);
     }
   return agreement;
 }
@@ -231,13 +244,12 @@ std::string agreement_text(const Agreement& agreement) {
   if (agreement.compared == 0)
     return "No figure is compared: nothing here was measured on the thesis' own meshes, or too "
            "few runs were made.";
-  std::string text = std::to_string(agreement.compared) + " figures are compared; " +
-                     std::to_string(agreement.differing) +
-                     " differ, and are listed with the reasons as far as they are known.";
+  std::string text = concat({agreement.compared, " figures are compared; ", agreement.differing,
+                             " differ, and are listed with the reasons as far as they are known."});
   if (agreement.size_rows > 0)
-    text += " In the " + std::to_string(agreement.size_rows) +
-            " function-based rows down to 50 nodes, sizes differ by at most " +
-            decimal(agreement.largest_size_percent, 1) + "%.";
+    append(text, {" In the ", agreement.size_rows,
+                  " function-based rows down to 50 nodes, sizes differ by at most ",
+                  decimal(agreement.largest_size_percent, 1), "%."});
   return text;
 }
 
@@ -251,10 +263,10 @@ std::string chapter_html(const ChapterPage& page) {
   text +=
       "</style>\n</head>\n<body>\n<header>\n<p class=\"kicker\">wellspaced reproduce</p>\n"
       "<h1>Well-Spaced Points for Numerical Methods, reproduced</h1>\n</header>\n<main>\n";
-  text += lead_html(page) + parameters_html(page) + contents_html(page.exhibits);
+  append(text, {lead_html(page), parameters_html(page), contents_html(page.exhibits)});
   text += differences_html(found);
   for (const Exhibit& exhibit : page.exhibits) text += exhibit_html(exhibit);
-  return text + "</main>\n</body>\n</html>\n";
+  return concat({text, "</main>\n</body>\n</html>\n"});
 }
 
 }  // namespace wellspaced

@@ -5,6 +5,7 @@
 
 #include "wellspaced/io/report/table_text.hpp"
 #include "wellspaced/io/reproduce/reasons.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -40,7 +41,7 @@ Deviation deviation_at(const Exhibit& exhibit, const ExhibitTable& table, std::s
   Deviation deviation;
   deviation.exhibit = exhibit.name;
   deviation.table = table.name;
-  deviation.row = table.row_heading + ' ' + table.rows[row].label;
+  deviation.row = concat({table.row_heading, ' ', table.rows[row].label});
   deviation.column = column_title(head);
   deviation.ours = cell.ours.value_or(std::nan(""));
   deviation.published = cell.published.value_or(std::nan(""));
@@ -90,7 +91,8 @@ std::string difference_text(const ExhibitColumn& column, const ExhibitCell& cell
   const auto value = difference(column, cell);
   if (!value) return "-";
   const std::string sign = *value < 0 ? "" : "+";
-  return column.relative ? sign + decimal(*value, 1) + '%' : sign + decimal(*value, column.digits);
+  return column.relative ? concat({sign, decimal(*value, 1), '%'})
+                         : concat({sign, decimal(*value, column.digits)});
 }
 
 }  // namespace wellspaced

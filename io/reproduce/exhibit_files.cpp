@@ -8,6 +8,7 @@
 
 #include "wellspaced/io/report/table_text.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -23,7 +24,7 @@ std::size_t width_of(const std::string& text) {
 }
 
 std::string padded_left(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, width_of(text)), ' ') + text;
+  return concat({std::string(width - std::min(width, width_of(text)), ' '), text});
 }
 
 TextRow head_row(const ExhibitTable& table) {
@@ -39,7 +40,7 @@ std::string group_line(const ExhibitTable& table, std::span<const std::size_t> w
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string& group = table.columns[i].group;
     if (std::exchange(last, group) != group)
-      line += std::string(start - std::min(start, width_of(line)), ' ') + "  " + group;
+      append(line, {std::string(start - std::min(start, width_of(line)), ' '), "  ", group});
     start += 2 + widths[i + 2];
   }
   return line;
@@ -59,7 +60,7 @@ std::vector<TextRow> body_rows(const ExhibitTable& table) {
   const bool compares = has_published(table);
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const auto ours = [&](const ExhibitColumn& column, const ExhibitCell& cell, std::size_t i) {
-      return figure_text(cell.ours, column.digits) + (is_beyond(table, row, i) ? "*" : "");
+      return concat({figure_text(cell.ours, column.digits), is_beyond(table, row, i) ? "*" : ""});
     };
     lines.push_back(cells_row(table, row, table.rows[row].label, compares ? "ours" : "", ours));
     if (!has_published(table.rows[row])) continue;
@@ -83,18 +84,20 @@ std::string table_text(const ExhibitTable& table) {
     for (std::size_t i = 0; i < line.size(); ++i)
       widths[i] = std::max(widths[i], width_of(line[i]));
   const std::string groups = group_line(table, widths);
-  std::string text = table.title + (table.note.empty() ? "" : " (" + table.note + ")") + '\n';
-  if (!groups.empty()) text += groups + '\n';
+  std::string text =
+      concat({table.title, table.note.empty() ? "" : concat({" (", table.note, ")"}), '\n'});
+  if (!groups.empty()) append(text, {groups, '\n'});
   for (const TextRow& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) text += "  " + padded_left(line[i], widths[i]);
+    for (std::size_t i = 0; i < line.size(); ++i)
+      append(text, {"  ", padded_left(line[i], widths[i])});
     text += '\n';
   }
-  return text + '\n';
+  return concat({text, '\n'});
 }
 
 std::string deviation_text(const Deviation& d) {
-  return "  " + d.table + ", " + d.row + ", " + d.column + ": " + figure_text(d.ours, d.digits) +
-         ", in the thesis " + figure_text(d.published, d.digits) + ": " + d.reason + '\n';
+  return concat({"  ", d.table, ", ", d.row, ", ", d.column, ": ", figure_text(d.ours, d.digits),
+                 ", in the thesis ", figure_text(d.published, d.digits), ": ", d.reason, '\n'});
 }
 
 // ---- Files
@@ -105,7 +108,7 @@ void append_figure(std::string& text, const std::optional<double>& value) {
 }
 
 void append_heading(std::string& text, const ExhibitColumn& column, std::string_view what) {
-  std::string name = column.group.empty() ? column.name : column.group + ' ' + column.name;
+  std::string name = column.group.empty() ? column.name : concat({column.group, ' ', column.name});
   std::ranges::replace(name, ',', ';');
   text.append(",").append(name).append(" ").append(what);
 }
@@ -160,8 +163,8 @@ bool has_published(const ExhibitTable& table) {
 }
 
 std::string exhibit_text(const Exhibit& exhibit) {
-  std::string text = exhibit.title + "\n";
-  for (const std::string& note : exhibit.notes) text += note + '\n';
+  std::string text = concat({exhibit.title, "\n"});
+  for (const std::string& note : exhibit.notes) append(text, {note, '\n'});
   text += '\n';
   for (const ExhibitTable& table : exhibit.tables) text += table_text(table);
   const std::vector<Deviation> found = deviations(exhibit);
@@ -170,7 +173,7 @@ std::string exhibit_text(const Exhibit& exhibit) {
       "* beyond the spread over the runs, or by more than 2 degrees; the reason as far as it "
       "is known:\n";
   for (const Deviation& deviation : found) text += deviation_text(deviation);
-  return text + '\n';
+  return concat({text, '\n'});
 }
 
 std::string table_csv(const ExhibitTable& table) {
@@ -204,7 +207,7 @@ void append_exhibit_json(JsonWriter& json, const Exhibit& exhibit) {
   json.end_array().key("tables").begin_array();
   for (const ExhibitTable& table : exhibit.tables) append_table_json(json, table);
   json.end_array().key("pictures").begin_array();
-  for (const ExhibitPicture& picture : exhibit.pictures) json.value(picture.name + ".svg");
+  for (const ExhibitPicture& picture : exhibit.pictures) json.value(concat({picture.name, ".svg"}));
   json.end_array().key("deviations").begin_array();
   for (const Deviation& deviation : deviations(exhibit)) append_deviation_json(json, deviation);
   json.end_array().end_object();
@@ -215,11 +218,13 @@ Status add_exhibit(OutputSet& outputs, const std::string& directory, const Exhib
   append_exhibit_json(json, exhibit);
   Status status = outputs.make_directory(directory);
   const auto add = [&](const std::string& name, const std::string& text) {
-    if (status) status = add_text(outputs, directory + "/" + name, text);
+    if (status) status = add_text(outputs, concat({directory, "/", name}), text);
   };
-  add(exhibit.name + ".json", json.text() + '\n');
-  for (const ExhibitTable& table : exhibit.tables) add(table.name + ".csv", table_csv(table));
-  for (const ExhibitPicture& picture : exhibit.pictures) add(picture.name + ".svg", picture.svg);
+  add(concat({exhibit.name, ".json"}), concat({json.text(), '\n'}));
+  for (const ExhibitTable& table : exhibit.tables)
+    add(concat({table.name, ".csv"}), table_csv(table));
+  for (const ExhibitPicture& picture : exhibit.pictures)
+    add(concat({picture.name, ".svg"}), picture.svg);
   return status;
 }
 

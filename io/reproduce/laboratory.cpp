@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/reproduce/run_files.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -15,11 +16,11 @@ constexpr double kFullRuns = 30;
 std::string parameters_of(const Experiment& experiment, const SuiteMesh& mesh, std::size_t runs,
                           const LaboratoryOptions& laboratory) {
   const CoarseningOptions& options = experiment.options;
-  return "wellspaced " + laboratory.version + "; " + mesh.identity + "; method " +
-         std::to_string(static_cast<int>(options.method)) + ", beta " + shortest(options.beta) +
-         ", factor " + shortest(options.factor) + ", R " + shortest(protection_ratio(options)) +
-         (options.count_work ? ", work" : "") + "; " + std::to_string(runs) + " runs from seed " +
-         std::to_string(laboratory.seed);
+  return concat({"wellspaced ", laboratory.version, "; ", mesh.identity, "; method ",
+                 static_cast<int>(options.method), ", beta ", options.beta, ", factor ",
+                 options.factor, ", R ", protection_ratio(options),
+                 options.count_work ? ", work" : "", "; ", runs, " runs from seed ",
+                 laboratory.seed});
 }
 
 CoarseningOptions options_of(const Experiment& experiment, const SuiteMesh& mesh,
@@ -32,7 +33,7 @@ CoarseningOptions options_of(const Experiment& experiment, const SuiteMesh& mesh
 
 Status keep_runs(const std::string& path, const std::string& text, const std::string& directory,
                  OutputSet& outputs) {
-  if (Status status = outputs.make_directory(directory + "/runs"); !status) return status;
+  if (Status status = outputs.make_directory(concat({directory, "/runs"})); !status) return status;
   if (Status status = outputs.add(path, [&](TextWriter& out) { out << text; }); !status)
     return status;
   return outputs.commit();
@@ -55,9 +56,8 @@ std::size_t Laboratory::run_count(const Experiment& experiment) const {
 std::string Laboratory::runs_text(const Experiment& experiment) const {
   const std::size_t runs = run_count(experiment);
   const std::string first = std::to_string(options_.seed);
-  if (runs == 1) return "1 run, seed " + first;
-  return std::to_string(runs) + " runs, seeds " + first + " to " +
-         std::to_string(options_.seed + runs - 1);
+  if (runs == 1) return concat({"1 run, seed ", first});
+  return concat({runs, " runs, seeds ", first, " to ", options_.seed + runs - 1});
 }
 
 Result<std::vector<RunStatistics>> Laboratory::make_runs(const Experiment& experiment,
@@ -75,7 +75,7 @@ Result<std::span<const RunStatistics>> Laboratory::runs(const Experiment& experi
   const auto mesh = this->mesh(experiment.mesh);
   if (!mesh) return mesh.error();
   const std::string parameters = parameters_of(experiment, **mesh, run_count(experiment), options_);
-  const std::string path = options_.directory + "/runs/" + experiment.name + ".json";
+  const std::string path = concat({options_.directory, "/runs/", experiment.name, ".json"});
   std::optional<std::vector<RunStatistics>> kept;
   if (!options_.directory.empty()) kept = read_runs(path, parameters);
   if (!kept) {

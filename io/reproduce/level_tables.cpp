@@ -6,6 +6,7 @@
 
 #include "wellspaced/io/formats/hierarchy_files.hpp"
 #include "wellspaced/io/reproduce/published.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -115,7 +116,7 @@ Result<std::span<const RunStatistics>> our_runs(Laboratory& laboratory,
   if (!runs) return runs.error();
   const SuiteMesh& mesh = *laboratory.mesh(experiment.mesh).value();
   half.comparable = mesh.is_original && runs->size() >= kFewestCompared;
-  half.note = mesh.title + ": " + mesh.origin + "; " + laboratory.runs_text(experiment);
+  half.note = concat({mesh.title, ": ", mesh.origin, "; ", laboratory.runs_text(experiment)});
   if (experiment.options.method == CoarseningMethod::kMis && experiment.options.protect)
     half.note += "; edges protected with R = 0.2, which fits, not 0.15";
   if (runs->size() < kFewestCompared) half.note += ", too few to compare";
@@ -126,7 +127,7 @@ Result<std::span<const RunStatistics>> our_runs(Laboratory& laboratory,
 
 Experiment suite_experiment(const std::string& mesh, CoarseningMethod method) {
   const bool is_grid = mesh.rfind("grid", 0) == 0;
-  Experiment experiment{.name = mesh + "-" + std::string(name_of(method)), .mesh = mesh};
+  Experiment experiment{.name = concat({mesh, "-", name_of(method)}), .mesh = mesh};
   experiment.options.method = method;
   if (is_grid) {
     experiment.options.factor = 2;
@@ -140,7 +141,7 @@ Result<ExhibitTable> level_table(Laboratory& laboratory, const std::string& tabl
                                  const std::string& mesh, CoarseningMethod method) {
   const PublishedSequence* published = published_sequence(mesh, name_of(method));
   const Experiment experiment = suite_experiment(mesh, method);
-  ExhibitTable half{.name = table + "-" + std::string(name_of(method))};
+  ExhibitTable half{.name = concat({table, "-", name_of(method)})};
   half.title =
       method == CoarseningMethod::kMis ? "MIS-based coarsening" : "Function-based coarsening";
   std::span<const RunStatistics> runs;

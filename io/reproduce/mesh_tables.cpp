@@ -11,6 +11,7 @@
 #include "wellspaced/io/reproduce/published.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
 #include "wellspaced/kernel/angle.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 
 namespace wellspaced {
@@ -116,12 +117,13 @@ ExhibitRow suite_row(const SuiteRow& row, const SuiteFigures& ours) {
 // Figures 8.1, 8.2 and 8.4: a zoom and the whole.
 void add_mesh_pictures(Exhibit& exhibit, const SuiteRow& row, const TriangleMesh& mesh) {
   constexpr double kZoom = 12;
-  const std::string name = exhibit.name + "-" + std::string(row.name);
+  const std::string name = concat({exhibit.name, "-", row.name});
   const std::string title(row.title);
   TextWriter zoom, whole;
   write_mesh_svg(zoom, mesh, {.width = 560, .line_width = 0.5, .zoom = kZoom});
   write_mesh_svg(whole, mesh, {.width = 560, .line_width = 0.4});
-  exhibit.pictures.push_back({name + "-zoom", title + ", the densest place", zoom.text()});
+  exhibit.pictures.push_back(
+      {concat({name, "-zoom"}), concat({title, ", the densest place"}), zoom.text()});
   exhibit.pictures.push_back({name, title, whole.text()});
 }
 
@@ -159,7 +161,7 @@ Result<std::vector<double>> pattern_angles(unsigned levels, const Progress& prog
   options.progress = progress;
   const auto hierarchy = coarsen(std::move(*mesh), options);
   if (!hierarchy) return hierarchy.error();
-  if (!hierarchy->complete) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (!hierarchy->complete) return Error{ErrorCode::kCancelled, "cancelled"};
   std::vector<double> angles;
   for (const Level& level : hierarchy->levels)
     angles.push_back(smallest_angle(angle_statistics(level.mesh)));
@@ -196,7 +198,7 @@ ExhibitPicture degradation_picture(const ExhibitTable& table) {
 
 Result<Exhibit> suite_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   ExhibitTable originals = suite_table(exhibit.name);
-  ExhibitTable others = suite_table(exhibit.name + "-others");
+  ExhibitTable others = suite_table(concat({exhibit.name, "-others"}));
   others.comparable = false;
   others.title += ": lost, or not the thesis' own";
   std::string sources;
@@ -212,10 +214,10 @@ Result<Exhibit> suite_exhibit(Laboratory& laboratory, Exhibit exhibit) {
     if (row.aspect == 0) add_mesh_pictures(exhibit, row, *mesh);
     ExhibitTable& table = (*source)->is_original ? originals : others;
     table.rows.push_back(suite_row(row, suite_figures(*mesh)));
-    sources += (*source)->title + ": " + (*source)->origin + "; ";
+    append(sources, {(*source)->title, ": ", (*source)->origin, "; "});
   }
-  exhibit.notes.push_back(sources +
-                          "AIRFOIL 2: its coordinates are lost, only its graph survives.");
+  exhibit.notes.push_back(
+      concat({sources, "AIRFOIL 2: its coordinates are lost, only its graph survives."}));
   if (!laboratory.options().data.empty())
     exhibit.notes.push_back(
         "Under ≤ 20° the thesis seems to leave out the angles of at most 10°: it prints 7 and 24 "
@@ -241,7 +243,7 @@ Result<Exhibit> degradation_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   if (levels < table.rows.size()) {
     for (std::size_t row = levels; row < table.rows.size(); ++row)
       table.rows[row].cells[0].published = std::nullopt;
-    table.note = "measured on the pattern of " + std::to_string(levels) + " levels";
+    table.note = concat({"measured on the pattern of ", levels, " levels"});
   }
   exhibit.notes.push_back(
       "The thesis counts 6^k nodes for level k; whole cells of the pattern take "

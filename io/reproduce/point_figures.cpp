@@ -15,6 +15,7 @@
 #include "wellspaced/io/pictures/svg.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
 #include "wellspaced/kernel/angle.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -70,7 +71,7 @@ void add_set(Exhibit& exhibit, const std::string& name, const TriangleMesh& mesh
 }
 
 std::string picture_name(const Exhibit& exhibit) {
-  return exhibit.name + static_cast<char>('a' + exhibit.pictures.size());
+  return concat({exhibit.name, static_cast<char>('a' + exhibit.pictures.size())});
 }
 
 // The points alone, whatever triangles they have.
@@ -104,7 +105,7 @@ using SequenceMaker = std::vector<Point2> (*)(std::size_t);
 
 Exhibit low_discrepancy_exhibit(Exhibit exhibit, SequenceMaker make, const std::string& words) {
   for (const std::size_t count : {400, 1000})
-    add_points(exhibit, words + std::to_string(count) + " points", mesh_of_points(make(count)));
+    add_points(exhibit, concat({words, count, " points"}), mesh_of_points(make(count)));
   exhibit.notes.push_back(
       "The star discrepancy is exact: the largest difference between share and "
       "area over all boxes that start at the origin.");
@@ -168,7 +169,7 @@ Result<Exhibit> function_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   options.progress = laboratory.options().progress;
   const auto hierarchy = coarsen(*mesh, options);
   if (!hierarchy) return hierarchy.error();
-  if (hierarchy->levels.size() < 2) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (hierarchy->levels.size() < 2) return Error{ErrorCode::kCancelled, "cancelled"};
   const Graph graph = mesh_graph(*mesh);
   const std::vector<double> f0 = mesh_spacing(graph);
   const std::vector<double> f1 = coarsened_spacing(graph, f0, kBeta * kFactor);

@@ -1,4 +1,5 @@
 #include "wellspaced/io/reproduce/reasons.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 #include <cmath>
 #include <string_view>
@@ -71,7 +72,7 @@ constexpr KnownReason kKnownReasons[] = {
 
 // Of "table-8.3", both halves.
 bool is_of(const ExhibitTable& table, std::string_view name) {
-  return table.name == name || table.name.rfind(std::string(name) + '-', 0) == 0;
+  return table.name == name || table.name.rfind(concat({name, '-'}), 0) == 0;
 }
 
 // Whether the next column holds the averages of what this one holds the least of, and they agree.
@@ -85,7 +86,7 @@ bool is_extreme(const ExhibitTable& table, std::size_t row, std::size_t column) 
 }  // namespace
 
 std::string column_title(const ExhibitColumn& column) {
-  return column.group.empty() ? column.name : column.group + ", " + column.name;
+  return column.group.empty() ? column.name : concat({column.group, ", ", column.name});
 }
 
 std::string known_reason(const ExhibitTable& table, std::size_t row, std::size_t column) {

@@ -7,6 +7,7 @@
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/json/json_reader.hpp"
 #include "wellspaced/io/json/json_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -116,7 +117,7 @@ std::string runs_json(const std::string& parameters, std::span<const RunStatisti
     json.end_array();
   }
   json.end_array().end_object();
-  return json.text() + '\n';
+  return concat({json.text(), '\n'});
 }
 
 std::optional<std::vector<RunStatistics>> read_runs(const std::string& path,

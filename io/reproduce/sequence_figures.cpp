@@ -10,6 +10,7 @@
 #include "wellspaced/io/pictures/svg.hpp"
 #include "wellspaced/io/reproduce/level_tables.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -72,7 +73,7 @@ double or_nan(const std::optional<double>& value) { return value.value_or(std::n
 // Of a table by level_table: nodes in column 0, smallest angles in columns 1 and 3.
 PlottedSequence plotted(const ExhibitTable& table, CellFigure whose, const std::string& name,
                         unsigned style) {
-  PlottedSequence sequence{name + (whose == &ExhibitCell::ours ? "" : ", thesis"), style,
+  PlottedSequence sequence{concat({name, whose == &ExhibitCell::ours ? "" : ", thesis"}), style,
                            whose == &ExhibitCell::published};
   for (const ExhibitRow& row : table.rows)
     sequence.levels.push_back(
@@ -103,11 +104,11 @@ Result<std::vector<ExhibitTable>> plotted_tables(Laboratory& laboratory, const s
                                                  const PlottedMesh& mesh) {
   std::vector<ExhibitTable> halves;
   for (std::size_t i = 0; i < kPlottedMethods.size(); ++i) {
-    auto table = level_table(laboratory, figure + "-" + std::string(mesh.name),
-                             std::string(mesh.name), kPlottedMethods[i]);
+    auto table = level_table(laboratory, concat({figure, "-", mesh.name}), std::string(mesh.name),
+                             kPlottedMethods[i]);
     if (!table) return table.error();
     table->repeats = true;
-    table->title = std::string(mesh.title) + ", " + kMethodLines[i];
+    table->title = concat({mesh.title, ", ", kMethodLines[i]});
     halves.push_back(std::move(*table));
   }
   return halves;
@@ -116,8 +117,9 @@ Result<std::vector<ExhibitTable>> plotted_tables(Laboratory& laboratory, const s
 ExhibitPicture plot_picture(const std::string& name, const std::string& title, Plot plot,
                             std::span<const PlottedSequence> lines) {
   if (plot == Plot::kAngles)
-    return {name + "-angles", title + ": smallest angle by size of the level", angle_chart(lines)};
-  return {name + "-sizes", title + ": nodes by level", size_chart(lines, plot)};
+    return {concat({name, "-angles"}), concat({title, ": smallest angle by size of the level"}),
+            angle_chart(lines)};
+  return {concat({name, "-sizes"}), concat({title, ": nodes by level"}), size_chart(lines, plot)};
 }
 
 Result<Exhibit> plotted_exhibit(Laboratory& laboratory, Exhibit exhibit,
@@ -128,7 +130,7 @@ Result<Exhibit> plotted_exhibit(Laboratory& laboratory, Exhibit exhibit,
     if (!halves) return halves.error();
     const std::vector<PlottedSequence> lines = plotted_lines(*halves);
     for (const Plot plot : plots)
-      exhibit.pictures.push_back(plot_picture(exhibit.name + "-" + std::string(mesh.name),
+      exhibit.pictures.push_back(plot_picture(concat({exhibit.name, "-", mesh.name}),
                                               std::string(mesh.title), plot, lines));
     std::ranges::move(*halves, std::back_inserter(exhibit.tables));
   }
@@ -150,7 +152,7 @@ struct SweepSetting {
 std::vector<SweepSetting> factor_settings() {
   std::vector<SweepSetting> settings;
   for (const double factor : kSweptFactors) {
-    settings.push_back({"C = " + shortest(factor), "sweep-C" + shortest(factor)});
+    settings.push_back({concat({"C = ", factor}), concat({"sweep-C", factor})});
     settings.back().options.factor = factor;
   }
   return settings;
@@ -159,7 +161,7 @@ std::vector<SweepSetting> factor_settings() {
 std::vector<SweepSetting> beta_settings() {
   std::vector<SweepSetting> settings;
   for (const double beta : kSweptBetas) {
-    settings.push_back({"β = " + shortest(beta), "sweep-beta" + shortest(beta)});
+    settings.push_back({concat({"β = ", beta}), concat({"sweep-beta", beta})});
     settings.back().options.factor = 5;
     settings.back().options.beta = beta;
   }
@@ -205,7 +207,8 @@ PlottedSequence plotted_column(const ExhibitTable& table, std::size_t column,
 Status add_sweep(Laboratory& laboratory, Exhibit& exhibit, const std::string& parameter,
                  std::vector<SweepSetting> settings) {
   settings.push_back(mis_setting());
-  ExhibitTable table{.name = exhibit.name + "-" + parameter, .title = "Means over the runs"};
+  ExhibitTable table{.name = concat({exhibit.name, "-", parameter}),
+                     .title = "Means over the runs"};
   std::vector<PlottedSequence> sequences;
   for (const SweepSetting& setting : settings) {
     const Experiment experiment{setting.file, "airfoil1", setting.options, kSweepRuns};
@@ -218,13 +221,14 @@ Status add_sweep(Laboratory& laboratory, Exhibit& exhibit, const std::string& pa
     table.columns.push_back({setting.name, "angle", 1, CellRule::kNever});
   }
   for (ExhibitRow& row : table.rows) row.cells.resize(table.columns.size());
-  const std::string name = exhibit.name + "-" + parameter;
+  const std::string name = concat({exhibit.name, "-", parameter});
   exhibit.pictures.push_back(
-      {name + "-sizes", "nodes by level", size_chart(sequences, Plot::kSizes)});
-  exhibit.pictures.push_back(
-      {name + "-log-sizes", "nodes by level, logarithmic", size_chart(sequences, Plot::kLogSizes)});
-  exhibit.pictures.push_back(
-      {name + "-angles", "average smallest angle by size of the level", angle_chart(sequences)});
+      {concat({name, "-sizes"}), "nodes by level", size_chart(sequences, Plot::kSizes)});
+  exhibit.pictures.push_back({concat({name, "-log-sizes"}), "nodes by level, logarithmic",
+                              size_chart(sequences, Plot::kLogSizes)});
+  exhibit.pictures.push_back({concat({name, "-angles"}),
+                              "average smallest angle by size of the level",
+                              angle_chart(sequences)});
   exhibit.tables.push_back(std::move(table));
   return Ok{};
 }
@@ -236,13 +240,13 @@ constexpr std::size_t kDrawnLevels = 4;
 Result<Hierarchy> drawn_hierarchy(Laboratory& laboratory, const PlottedMesh& mesh,
                                   CoarseningMethod method) {
   auto hierarchy = laboratory.first_hierarchy(suite_experiment(std::string(mesh.name), method));
-  if (hierarchy && !hierarchy->complete) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (hierarchy && !hierarchy->complete) return Error{ErrorCode::kCancelled, "cancelled"};
   return hierarchy;
 }
 
 std::string panel_caption(const char* method, const TriangleMesh& mesh) {
-  return std::string(method) + ": " + std::to_string(mesh.points.size()) + " nodes, " +
-         std::to_string(mesh.triangles.size()) + " triangles";
+  return concat({std::string(method), ": ", mesh.points.size(), " nodes, ", mesh.triangles.size(),
+                 " triangles"});
 }
 
 void add_drawings(Exhibit& exhibit, const PlottedMesh& mesh, const Hierarchy& function,
@@ -257,9 +261,8 @@ void add_drawings(Exhibit& exhibit, const PlottedMesh& mesh, const Hierarchy& fu
       panels.push_back({&mis.levels[k].mesh, panel_caption("MIS-based", mis.levels[k].mesh)});
     TextWriter out;
     write_panels_svg(out, panels, 2, {.width = 560, .line_width = 0.5, .border_width = 1.2});
-    exhibit.pictures.push_back(
-        {"drawings-" + std::string(mesh.name) + "-level-" + std::to_string(k),
-         std::string(mesh.title) + ", level " + std::to_string(k), out.text()});
+    exhibit.pictures.push_back({concat({"drawings-", mesh.name, "-level-", k}),
+                                concat({mesh.title, ", level ", k}), out.text()});
   }
 }
 
@@ -276,9 +279,9 @@ void add_sequence_charts(Exhibit& exhibit) {
 Result<Exhibit> parameter_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   const auto mesh = laboratory.mesh("airfoil1");
   if (!mesh) return mesh.error();
-  exhibit.notes.push_back("AIRFOIL 1: " + (*mesh)->origin + "; of each setting " +
-                          laboratory.runs_text({.thesis_runs = kSweepRuns}) +
-                          "; the thesis prints no figures, only the plots.");
+  exhibit.notes.push_back(concat({"AIRFOIL 1: ", (*mesh)->origin, "; of each setting ",
+                                  laboratory.runs_text({.thesis_runs = kSweepRuns}),
+                                  "; the thesis prints no figures, only the plots."}));
   for (auto& [parameter, settings] :
        {std::pair{"C", factor_settings()}, std::pair{"beta", beta_settings()}})
     if (Status status = add_sweep(laboratory, exhibit, parameter, settings); !status)
@@ -312,8 +315,8 @@ Result<Exhibit> drawings_exhibit(Laboratory& laboratory, Exhibit exhibit) {
     if (!mis) return mis.error();
     add_drawings(exhibit, mesh, *function, *mis);
   }
-  exhibit.notes.push_back("Drawn of the run of seed " + std::to_string(laboratory.options().seed) +
-                          ". The coordinates of AIRFOIL 2 are lost.");
+  exhibit.notes.push_back(concat({"Drawn of the run of seed ", laboratory.options().seed,
+                                  ". The coordinates of AIRFOIL 2 are lost."}));
   return exhibit;
 }
 

@@ -7,6 +7,7 @@
 #include "wellspaced/algorithms/generate/grid.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/reproduce/published.hpp"
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/sha256.hpp"
 
 namespace wellspaced {
@@ -45,9 +46,9 @@ SuiteMesh grid_mesh(const GridSource& source, double scale) {
                             .diagonals = GridDiagonals::kMixed,
                             .mixed = kCutOtherWay};
   SuiteMesh mesh{.name = std::string(source.name), .title = std::string(source.title)};
-  mesh.origin = "grid of " + std::to_string(side) + " by " + std::to_string(side) +
-                " nodes, 13% of the cells cut the other way";
-  mesh.identity = mesh.name + " of side " + std::to_string(side);
+  mesh.origin =
+      concat({"grid of ", side, " by ", side, " nodes, 13% of the cells cut the other way"});
+  mesh.identity = concat({mesh.name, " of side ", side});
   mesh.is_original = scale == 1;
   mesh.make = [options](std::uint64_t seed) {
     GridOptions seeded = options;
@@ -68,7 +69,7 @@ std::string fingerprint(const TriangleMesh& mesh) {
 
 SuiteMesh fixed_mesh(const MeshSource& source, TriangleMesh triangles) {
   SuiteMesh mesh{.name = std::string(source.name), .title = std::string(source.title)};
-  mesh.identity = mesh.name + " " + fingerprint(triangles);
+  mesh.identity = concat({mesh.name, " ", fingerprint(triangles)});
   mesh.make = [triangles = std::move(triangles)](std::uint64_t) {
     return Result<TriangleMesh>(triangles);
   };
@@ -77,12 +78,12 @@ SuiteMesh fixed_mesh(const MeshSource& source, TriangleMesh triangles) {
 
 Result<SuiteMesh> original_mesh(const MeshSource& source, const std::string& folder) {
   const std::string file(source.file);
-  auto geometry = read_mesh(folder + "/" + file);
+  auto geometry = read_mesh(concat({folder, "/", file}));
   if (!geometry) return geometry.error();
   const bool is_original = geometry->mesh.points.size() == source.nodes;
   SuiteMesh mesh = fixed_mesh(source, std::move(geometry->mesh));
   mesh.is_original = is_original;
-  mesh.origin = file + (is_original ? "" : ", which is not the thesis' mesh");
+  mesh.origin = concat({file, is_original ? "" : ", which is not the thesis' mesh"});
   const auto special = special_points_of(source.name);
   if (is_original && !special.empty()) mesh.fixed = {special.begin(), special.end()};
   return mesh;
@@ -90,15 +91,14 @@ Result<SuiteMesh> original_mesh(const MeshSource& source, const std::string& fol
 
 std::string stand_in_command(const MeshSource& source) {
   const bool is_crack = source.stand_in == GradedDomain::kCrack;
-  return std::string("generate ") + (is_crack ? "crack" : "airfoil") + " --nodes " +
-         std::to_string(source.nodes);
+  return concat({"generate ", is_crack ? "crack" : "airfoil", " --nodes ", source.nodes});
 }
 
 Result<SuiteMesh> stand_in_mesh(const MeshSource& source, const Progress& progress) {
   auto triangles = generate_graded_mesh(source.stand_in, {.nodes = source.nodes}, progress);
   if (!triangles) return triangles.error();
   SuiteMesh mesh = fixed_mesh(source, std::move(*triangles));
-  mesh.origin = "a stand-in, not the thesis' mesh: " + stand_in_command(source);
+  mesh.origin = concat({"a stand-in, not the thesis' mesh: ", stand_in_command(source)});
   return mesh;
 }
 
@@ -111,7 +111,7 @@ Result<SuiteMesh> make_suite_mesh(const std::string& name, const std::string& da
   for (const MeshSource& source : kSources)
     if (source.name == name)
       return data.empty() ? stand_in_mesh(source, progress) : original_mesh(source, data);
-  return Error{ErrorCode::kInternal, "no mesh of the name " + name, {}};
+  return Error{ErrorCode::kInternal, {"no mesh of the name ", name}};
 }
 
 }  // namespace wellspaced

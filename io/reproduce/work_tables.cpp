@@ -6,6 +6,7 @@
 #include "wellspaced/io/pictures/chart.hpp"
 #include "wellspaced/io/reproduce/published.hpp"
 #include "wellspaced/io/text/text_writer.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -44,8 +45,7 @@ struct WorkColumns {
 };
 
 Experiment work_experiment(std::string_view mesh, int factor) {
-  Experiment experiment{.name = "work-" + std::string(mesh) + "-C" + std::to_string(factor),
-                        .mesh = std::string(mesh)};
+  Experiment experiment{.name = concat({"work-", mesh, "-C", factor}), .mesh = std::string(mesh)};
   experiment.options.factor = factor;
   experiment.options.count_work = true;
   experiment.thesis_runs = 10;
@@ -56,7 +56,7 @@ Result<std::vector<WorkColumns>> work_columns(Laboratory& laboratory) {
   std::vector<WorkColumns> columns;
   for (const WorkMesh& mesh : kWorkMeshes)
     for (const int factor : kWorkFactors) {
-      columns.push_back({std::string(mesh.title) + ", C = " + std::to_string(factor), {}});
+      columns.push_back({concat({mesh.title, ", C = ", factor}), {}});
       if (mesh.name == "airfoil2") continue;
       const auto runs = laboratory.runs(work_experiment(mesh.name, factor));
       if (!runs) return runs.error();
@@ -125,7 +125,7 @@ ChartSeries average_line(const ExhibitTable& table, std::size_t column, CellFigu
                          unsigned style) {
   const bool published = whose == &ExhibitCell::published;
   ChartSeries line{
-      table.columns[column].group + (published ? ", thesis" : ""), {}, style, published};
+      concat({table.columns[column].group, published ? ", thesis" : ""}), {}, style, published};
   for (std::size_t level = 0; level < table.rows.size(); ++level)
     if (const auto value = table.rows[level].cells[column].*whose)
       line.points.push_back({static_cast<double>(level), *value});
@@ -142,7 +142,7 @@ ExhibitPicture average_picture(const ExhibitTable& table) {
   std::erase_if(chart.series, [](const ChartSeries& line) { return line.points.empty(); });
   TextWriter out;
   write_chart_svg(out, chart);
-  return {table.name, table.title + ", averages", out.text()};
+  return {table.name, concat({table.title, ", averages"}), out.text()};
 }
 
 }  // namespace
@@ -154,10 +154,10 @@ Result<Exhibit> work_exhibit(Laboratory& laboratory, Exhibit exhibit) {
     exhibit.tables.push_back(work_table(source, *columns));
     exhibit.pictures.push_back(average_picture(exhibit.tables.back()));
   }
-  exhibit.notes.push_back(
-      "Largest figures of " + laboratory.runs_text(work_experiment("crack", 4)) +
-      ", as in the thesis, which cuts averages to whole numbers. The coordinates of AIRFOIL 2 "
-      "are lost.");
+  exhibit.notes.push_back(concat(
+      {"Largest figures of ", laboratory.runs_text(work_experiment("crack", 4)),
+       ", as in the thesis, which cuts averages to whole numbers. The coordinates of AIRFOIL 2 "
+       "are lost."}));
   return exhibit;
 }
 

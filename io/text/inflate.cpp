@@ -1,4 +1,5 @@
 #include "wellspaced/io/text/inflate.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 #include <array>
 #include <cstdint>
@@ -228,7 +229,8 @@ std::uint32_t big_endian_32(std::string_view bytes) {
 std::optional<std::string> inflate(std::string_view zlib, std::size_t size) {
   constexpr std::size_t kHeader = 2, kChecksum = 4, kBestRatio = 1032;
   if (zlib.size() < kHeader + kChecksum || size / kBestRatio > zlib.size()) return {};
-  const std::uint32_t head = big_endian_32(std::string("\0\0", 2) + std::string(zlib.substr(0, 2)));
+  const std::uint32_t head =
+      big_endian_32(concat({std::string_view("\0\0", 2), zlib.substr(0, 2)}));
   const bool deflated = (head >> 8 & 15) == 8 && head % 31 == 0 && (head & 32) == 0;
   if (!deflated) return {};
   auto bytes = Inflater(zlib.substr(kHeader, zlib.size() - kHeader - kChecksum), size).run();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/io/text/numbers.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {
@@ -52,7 +53,7 @@ std::string in_quotes(std::string_view token) {
       result += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
     }
   }
-  return result + (token.size() > kLongest ? "...'" : "'");
+  return concat({result, token.size() > kLongest ? "...'" : "'"});
 }
 
 Scanner::Scanner(std::string_view text, TextSource source, ScanRules rules)
@@ -86,14 +87,13 @@ bool Scanner::next_line() {
 
 bool Scanner::require_line(std::string_view what) {
   if (next_line()) return true;
-  fail(ErrorCode::kUnreadable, "the file ends where " + std::string(what) + " should follow");
+  fail(ErrorCode::kUnreadable, {"the file ends where ", what, " should follow"});
   return false;
 }
 
 bool Scanner::next_record(Index count, std::string_view what) {
   if (next_line()) return true;
-  fail(ErrorCode::kUnreadable,
-       "the file ends before its " + std::to_string(count) + " " + std::string(what) + " do");
+  fail(ErrorCode::kUnreadable, {"the file ends before its ", count, " ", what, " do"});
   return false;
 }
 
@@ -119,7 +119,7 @@ std::string_view Scanner::field() {
 
 std::string_view Scanner::required_field(std::string_view what) {
   const std::string_view token = field();
-  if (token.empty()) fail(ErrorCode::kUnreadable, "the " + std::string(what) + " is missing");
+  if (token.empty()) fail(ErrorCode::kUnreadable, {"the ", what, " is missing"});
   return ok() ? token : std::string_view("0");
 }
 
@@ -155,7 +155,7 @@ std::int64_t Scanner::integer_or(std::int64_t otherwise, std::string_view what) 
 int Scanner::marker() {
   const std::int64_t value = integer("marker");
   if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
-    fail(ErrorCode::kUnreadable, "the marker " + std::to_string(value) + " is beyond 32 bits");
+    fail(ErrorCode::kUnreadable, {"the marker ", value, " is beyond 32 bits"});
   return ok() ? static_cast<int>(value) : 0;
 }
 
@@ -170,7 +170,7 @@ std::string_view Scanner::rest_of_line() {
 
 std::string_view Scanner::bytes_after_line(std::uint64_t count, std::string_view what) {
   if (count > rest_.size()) {
-    fail(ErrorCode::kUnreadable, "the file ends within the " + std::string(what));
+    fail(ErrorCode::kUnreadable, {"the file ends within the ", what});
     return {};
   }
   report_place();
@@ -181,11 +181,10 @@ std::string_view Scanner::bytes_after_line(std::uint64_t count, std::string_view
 }
 
 Index Scanner::count(std::string_view what, std::uint64_t fields) {
-  const std::int64_t value = integer("number of " + std::string(what));
-  if (value < 0)
-    fail(ErrorCode::kUnreadable, "the number of " + std::string(what) + " is negative");
+  const std::int64_t value = integer(concat({"number of ", what}));
+  if (value < 0) fail(ErrorCode::kUnreadable, {"the number of ", what, " is negative"});
   if (!ok() || !has_room_for(static_cast<std::uint64_t>(value), fields, what)) return 0;
-  if (value >= kNoIndex) fail(ErrorCode::kLimit, "more than 4294967294 " + std::string(what));
+  if (value >= kNoIndex) fail(ErrorCode::kLimit, {"more than 4294967294 ", what});
   return ok() ? static_cast<Index>(value) : 0;
 }
 
@@ -193,11 +192,10 @@ Index Scanner::point(std::size_t points, Index base) {
   const std::int64_t number = integer("point number");
   const auto count = static_cast<std::int64_t>(points);
   if (number >= base && number - base < count) return static_cast<Index>(number - base);
-  const std::string range = count == 0 ? "there are none"
-                                       : "they are numbered from " + std::to_string(base) + " to " +
-                                             std::to_string(base + count - 1);
-  fail(ErrorCode::kInvalidGeometry,
-       "point " + std::to_string(number) + " is not among the points: " + range);
+  const std::string range =
+      count == 0 ? "there are none"
+                 : concat({"they are numbered from ", base, " to ", base + count - 1});
+  fail(ErrorCode::kInvalidGeometry, {"point ", number, " is not among the points: ", range});
   return 0;
 }
 
@@ -210,21 +208,23 @@ bool Scanner::has_room_for(std::uint64_t records, std::uint64_t fields, std::str
   const std::size_t here = rules_.across_lines ? line_.size() : 0;
   const std::uint64_t most_fields = (rest_.size() + here + 1) / 2;
   if (fields == 0 || records <= most_fields / fields) return ok();
-  fail(ErrorCode::kUnreadable, "the file is too short for the " + std::to_string(records) + " " +
-                                   std::string(what) + " that this line announces");
+  fail(ErrorCode::kUnreadable,
+       {"the file is too short for the ", records, " ", what, " that this line announces"});
   return false;
 }
 
-void Scanner::fail(ErrorCode code, std::string_view message) {
+void Scanner::fail(ErrorCode code, std::initializer_list<TextPiece> message) {
   if (error_) return;
-  const std::string where =
-      line_number_ == 0 ? file() : file() + ":" + std::to_string(line_number_);
-  error_ = Error{code, where + ": " + std::string(message), {}};
+  std::string line = file();
+  if (line_number_ != 0) append(line, {":", line_number_});
+  line += ": ";
+  append(line, message);
+  error_ = Error{code, line};
 }
 
 void Scanner::fail_field(ErrorCode code, std::string_view what, std::string_view token,
                          std::string_view complaint) {
-  fail(code, "the " + std::string(what) + " " + in_quotes(token) + " " + std::string(complaint));
+  fail(code, {"the ", what, " ", in_quotes(token), " ", complaint});
 }
 
 }  // namespace wellspaced

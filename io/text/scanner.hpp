@@ -79,7 +79,8 @@ class Scanner {
   /// Requires: !ok().
   const Error& error() const { return *error_; }
   /// Records a failure at the present line, unless there is one already.
-  void fail(ErrorCode code, std::string_view message);
+  [[gnu::cold]] void fail(ErrorCode code, std::initializer_list<TextPiece> message);
+  void fail(ErrorCode code, TextPiece message) { fail(code, {message}); }
 
   const std::string& file() const { return source_.name; }
   std::uint64_t line_number() const { return line_number_; }

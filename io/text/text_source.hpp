@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
@@ -24,7 +25,7 @@ struct TextSource {
     return progress == nullptr || report(*progress, "read", done, total);
   }
   /// What a reader returns where it is not.
-  Error cancelled() const { return {ErrorCode::kCancelled, name + ": reading was cancelled", {}}; }
+  Error cancelled() const { return {ErrorCode::kCancelled, {name, ": reading was cancelled"}}; }
 };
 
 }  // namespace wellspaced

@@ -1,0 +1,45 @@
+#include "wellspaced/kernel/concat.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace wellspaced {
+namespace {
+
+template <class Number>
+void append_number(std::string& text, Number number) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  text.append(digits.data(), end);
+}
+
+}  // namespace
+
+void TextPiece::append_to(std::string& text) const {
+  switch (kind_) {
+    case Kind::kWords:
+      text += words_;
+      return;
+    case Kind::kLetter:
+      text += letter_;
+      return;
+    case Kind::kSigned:
+      return append_number(text, signed_);
+    case Kind::kUnsigned:
+      return append_number(text, unsigned_);
+    case Kind::kReal:
+      return append_number(text, real_);
+  }
+}
+
+void append(std::string& text, std::initializer_list<TextPiece> pieces) {
+  for (const TextPiece& piece : pieces) piece.append_to(text);
+}
+
+std::string concat(std::initializer_list<TextPiece> pieces) {
+  std::string text;
+  append(text, pieces);
+  return text;
+}
+
+}  // namespace wellspaced
