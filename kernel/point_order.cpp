@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "wellspaced/kernel/hilbert_curve.hpp"
 #include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/random.hpp"
 
@@ -22,93 +23,6 @@ constexpr unsigned kMaxRounds = 16;
 constexpr Word kIndexMask = (Word{1} << kIndexBits) - 1;
 
 Index index_of(Word word) { return static_cast<Index>(word & kIndexMask); }
-
-// The Hilbert curve of the plane as an automaton that reads four bits of x and of y at a time. The
-// state says how the curve is turned in the current square: bit 0 swaps the axes, bit 1 mirrors
-// both. By state << 8 | cell of 16 x 16: next state << 8 | place.
-using PlaneCurve = std::array<std::uint16_t, 1024>;
-
-constexpr PlaneCurve make_plane_curve() {
-  PlaneCurve table{};
-  for (unsigned start = 0; start < 4; ++start) {
-    for (unsigned cell = 0; cell < 256; ++cell) {
-      unsigned state = start, place = 0;
-      for (int bit = 3; bit >= 0; --bit) {
-        unsigned x = (cell >> (4 + bit)) & 1, y = (cell >> bit) & 1;
-        if (state & 2) x ^= 1, y ^= 1;
-        if (state & 1) std::swap(x, y);
-        const unsigned quadrant = (3 * x) ^ y;
-        place = place << 2 | quadrant;
-        if (quadrant == 0) state ^= 1;
-        if (quadrant == 3) state ^= 3;
-      }
-      table[start << 8 | cell] = static_cast<std::uint16_t>(state << 8 | place);
-    }
-  }
-  return table;
-}
-
-constexpr PlaneCurve kPlaneCurve = make_plane_curve();
-
-// The Hilbert curve of space as an automaton that reads two bits of x, y and z at a time (Hamilton,
-// Compact Hilbert indices, 2006). The state 3 * entry + axis says how the curve is turned in the
-// current cube: the corner where it enters, and the axis along which it leaves. By state << 6 |
-// cell of 4 x 4 x 4: next state << 6 | place.
-using SpaceCurve = std::array<std::uint16_t, 24 * 64>;
-
-constexpr unsigned rotate3(unsigned bits, unsigned by) {
-  return (bits << by | bits >> (3 - by)) & 7u;
-}
-
-constexpr SpaceCurve make_space_curve() {
-  // By the octant's place on the untilted curve: its entry corner and its direction.
-  constexpr std::array<unsigned, 8> kEntry{0, 0, 0, 3, 3, 6, 6, 5};
-  constexpr std::array<unsigned, 8> kAxis{0, 1, 1, 2, 2, 1, 1, 0};
-  SpaceCurve table{};
-  for (unsigned start = 0; start < 24; ++start) {
-    for (unsigned cell = 0; cell < 64; ++cell) {
-      unsigned entry = start / 3, axis = start % 3, place = 0;
-      for (unsigned bit = 2; bit-- > 0;) {
-        const unsigned x = cell >> (4 + bit) & 1, y = cell >> (2 + bit) & 1, z = cell >> bit & 1;
-        const unsigned turn = (axis + 1) % 3;
-        const unsigned gray = rotate3((x | y << 1 | z << 2) ^ entry, 3 - turn);
-        const unsigned octant = gray ^ gray >> 1 ^ gray >> 2;
-        place = place << 3 | octant;
-        entry ^= rotate3(kEntry[octant], turn);
-        axis = (axis + kAxis[octant] + 1) % 3;
-      }
-      const unsigned state = 3 * entry + axis;
-      table[start << 6 | cell] = static_cast<std::uint16_t>(state << 6 | place);
-    }
-  }
-  return table;
-}
-
-constexpr SpaceCurve kSpaceCurve = make_space_curve();
-
-// The place on the curve of a cell of a grid of 2^axis_bits x 2^axis_bits cells. Requires: a
-// multiple of 4, at most 16.
-std::uint32_t curve_place(const std::array<std::uint32_t, 2>& cell, int axis_bits) {
-  std::uint32_t place = 0, entry = 0;
-  for (int shift = axis_bits - 4; shift >= 0; shift -= 4) {
-    const std::uint32_t part = ((cell[0] >> shift) & 15u) << 4 | ((cell[1] >> shift) & 15u);
-    entry = kPlaneCurve[(entry & ~255u) | part];
-    place = place << 8 | (entry & 255u);
-  }
-  return place;
-}
-
-// The same in space. Requires: a multiple of 2, at most 10.
-std::uint32_t curve_place(const std::array<std::uint32_t, 3>& cell, int axis_bits) {
-  std::uint32_t place = 0, entry = 0;
-  for (int shift = axis_bits - 2; shift >= 0; shift -= 2) {
-    const std::uint32_t part =
-        ((cell[0] >> shift) & 3u) << 4 | ((cell[1] >> shift) & 3u) << 2 | ((cell[2] >> shift) & 3u);
-    entry = kSpaceCurve[(entry & ~63u) | part];
-    place = place << 6 | (entry & 63u);
-  }
-  return place;
-}
 
 std::array<double, 2> halved(Point2 p) { return {p.x / 2, p.y / 2}; }
 std::array<double, 3> halved(Point3 p) { return {p.x / 2, p.y / 2, p.z / 2}; }
@@ -136,18 +50,12 @@ auto bounding_cube(const Range& range, PointOf point_of) {
   return Cube<std::tuple_size_v<decltype(low)>>{low, side};
 }
 
-// The grids that the curve's automaton can number: 2^16 cells along an axis at most, 2^10 in space.
-template <std::size_t Dimension>
-constexpr int kStepBits = Dimension == 2 ? 4 : 2;
-template <std::size_t Dimension>
-constexpr int kMaxAxisBits = Dimension == 2 ? 16 : 10;
-
 // As fine a grid as sorting so many points is worth: two cells a point or more.
 template <std::size_t Dimension>
 int axis_bits_for(std::size_t points) {
-  int bits = kStepBits<Dimension>;
-  while (bits < kMaxAxisBits<Dimension> && points >> (Dimension * bits - 1) > 0)
-    bits += kStepBits<Dimension>;
+  int bits = hilbert::kStepBits<Dimension>;
+  while (bits < hilbert::kMaxAxisBits<Dimension> && points >> (Dimension * bits - 1) > 0)
+    bits += hilbert::kStepBits<Dimension>;
   return bits;
 }
 
@@ -160,7 +68,7 @@ std::uint32_t place_in(const Cube<Dimension>& cube, const std::array<double, Dim
     const double c = (half[k] - cube.half_low[k]) / cube.half_side * cells;
     cell[k] = static_cast<std::uint32_t>(std::min(c, cells - 1));
   }
-  return curve_place(cell, axis_bits);
+  return hilbert::place(cell, axis_bits);
 }
 
 // Stable radix sort by `key_bits` bits above the point number, back and forth between two arrays.
@@ -206,7 +114,7 @@ void find_crowds(std::span<const Word> words, Range range, std::vector<Range>& c
 // point (2098 / 10).
 template <class Point>
 void refine_crowds(std::span<const Point> points, std::span<Word> words) {
-  constexpr std::size_t kDimension = std::tuple_size_v<decltype(halved(Point()))>;
+  constexpr int kFinest = hilbert::kMaxAxisBits<std::tuple_size_v<decltype(halved(Point()))>>;
   std::vector<Range> crowds;
   find_crowds(words, {0, words.size()}, crowds);
   const auto point_of = [&](Word word) { return points[index_of(word)]; };
@@ -217,8 +125,7 @@ void refine_crowds(std::span<const Point> points, std::span<Word> words) {
     const auto cube = bounding_cube(crowd, point_of);
     if (!(cube.half_side > 0)) continue;
     for (Word& word : crowd)
-      word = Word{place_in(cube, halved(point_of(word)), kMaxAxisBits<kDimension>)} << kIndexBits |
-             index_of(word);
+      word = Word{place_in(cube, halved(point_of(word)), kFinest)} << kIndexBits | index_of(word);
     std::sort(crowd.begin(), crowd.end());
     find_crowds(words, range, crowds);
   }
