@@ -32,9 +32,9 @@ std::size_t sweep(const Graph& graph, std::vector<double>& distance) {
 
 // Sweeps as long as each has at most half the work of the one before and Dijkstra's share, which
 // costs some 64 times as much a node, would be the greater.
-void sweep_while_it_pays(const Graph& graph, std::vector<double>& distance) {
+void sweep_while_it_pays(const Graph& graph, std::vector<double>& distance, ProgressMeter& meter) {
   std::size_t before = 4 * std::size_t{graph.nodes()}, lowered = sweep(graph, distance);
-  while (lowered > graph.nodes() / 64 && lowered <= before / 2) {
+  while (lowered > graph.nodes() / 64 && lowered <= before / 2 && meter.step(graph.nodes())) {
     before = lowered;
     lowered = sweep(graph, distance);
   }
@@ -56,7 +56,7 @@ std::vector<KeyedItem> sorted_seeds(const Graph& graph, std::span<const double> 
 
 // Dijkstra's algorithm: its queue is the sorted list of the nodes that lower a neighbour, merged
 // with a heap of the nodes that were lowered since, which so stays small.
-void settle_by_distance(const Graph& graph, std::vector<double>& distance) {
+void settle_by_distance(const Graph& graph, std::vector<double>& distance, ProgressMeter& meter) {
   const std::vector<KeyedItem> seeds = sorted_seeds(graph, distance);
   if (seeds.empty()) return;
   PairingHeap heap(graph.nodes());
@@ -70,11 +70,13 @@ void settle_by_distance(const Graph& graph, std::vector<double>& distance) {
     }
   };
   for (const KeyedItem& seed : seeds) {
-    while (!heap.empty() && sort_key(heap.key(heap.top())) < seed.key) relax_arcs(heap.pop());
+    if (!meter.step()) return;
+    while (!heap.empty() && sort_key(heap.key(heap.top())) < seed.key && meter.step())
+      relax_arcs(heap.pop());
     const bool lowered_since = sort_key(distance[seed.item]) != seed.key;
     if (!lowered_since) relax_arcs(seed.item);
   }
-  while (!heap.empty()) relax_arcs(heap.pop());
+  while (!heap.empty() && meter.step()) relax_arcs(heap.pop());
 }
 
 // The neighbour that v's shortest path comes over: see the header.
@@ -104,10 +106,12 @@ std::vector<Index> depths(std::span<const Index> parent) {
 
 }  // namespace
 
-std::vector<double> shortest_distances(const Graph& graph, std::span<const double> start) {
+std::vector<double> shortest_distances(const Graph& graph, std::span<const double> start,
+                                       const Progress& progress) {
   std::vector<double> distance(start.begin(), start.end());
-  sweep_while_it_pays(graph, distance);
-  settle_by_distance(graph, distance);
+  ProgressMeter meter(progress, "paths", 0);
+  sweep_while_it_pays(graph, distance, meter);
+  if (!meter.stopped()) settle_by_distance(graph, distance, meter);
   return distance;
 }
 

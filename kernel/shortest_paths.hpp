@@ -6,6 +6,7 @@
 
 #include "wellspaced/kernel/graph.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -16,8 +17,10 @@ namespace wellspaced {
 /// Returns: one a node; infinite where no path leads to.
 /// Cost: O(n log n) at worst; where paths are short, or run along the numbering of the nodes, a few
 ///   passes over the graph in the order of its memory.
+/// progress: phase "paths", in nodes looked at; how many there will be is not known.
 /// See: section 7.2, Theorem 7.2.2.
-std::vector<double> shortest_distances(const Graph& graph, std::span<const double> start);
+std::vector<double> shortest_distances(const Graph& graph, std::span<const double> start,
+                                       const Progress& progress = {});
 
 /// The tree of shortest paths from p*.
 struct ShortestPathTree {

@@ -12,6 +12,7 @@ namespace wellspaced::audit {
 namespace {
 
 constexpr double kDown = 1 - 0x1p-40, kUp = 1 + 0x1p-40;  // beyond what rounding may have done
+constexpr std::uint64_t kStepsAQuestion = 1 << 11;
 
 // Offers the gap of radius r around c in the direction of `towards`; the ball must be empty.
 template <std::size_t D>
@@ -48,7 +49,9 @@ template <std::size_t D>
 std::vector<Candidate<D>> voronoi_vertices(const SpacedPoints<D>& points) {
   std::vector<Candidate<D>> candidates;
   candidates.reserve(points.delaunay.size());
+  ProgressMeter meter(points.progress, "audit", 0, kStepsAQuestion);
   for (const auto& simplex : points.delaunay) {
+    if (!meter.step()) return {};
     std::array<Vec<D>, D + 1> corners;
     for (std::size_t i = 0; i <= D; ++i) corners[i] = points.places[simplex[i]];
     const auto [centre, error] = circumcentre<D>(corners);
@@ -123,7 +126,9 @@ void offer_gaps_inwards(const SpacedPoints<D>& points, Index s, const Vec<D>& c,
 template <std::size_t D>
 GapBracket<D> gap_at_vertices(const SpacedPoints<D>& points) {
   GapBracket<D> bracket;
+  ProgressMeter meter(points.progress, "audit", 0, kStepsAQuestion);
   for (const Candidate<D>& candidate : voronoi_vertices(points)) {
+    if (!meter.step()) break;
     if (candidate.upper <= bracket.lower) break;
     if (bracket.upper > 0 && bracket.lower * (1 + points.tolerance) >= bracket.upper) break;
     if (!may_be_inside(points.boundary, candidate)) continue;
@@ -163,8 +168,8 @@ std::array<SearchCell<D, K>, 2> halves(const SearchCell<D, K>& cell) {
 // bracket) offers gaps there and returns what no gap that belongs to the cell, all of which lies
 // within e of the place, can exceed.
 template <std::size_t D, std::size_t K, class Judge>
-void search_gaps(std::span<const std::array<Vec<D>, K>> simplices, double tolerance, Judge judge,
-                 GapBracket<D>& bracket) {
+void search_gaps(const SpacedPoints<D>& points, std::span<const std::array<Vec<D>, K>> simplices,
+                 Judge judge, GapBracket<D>& bracket) {
   using Cell = SearchCell<D, K>;
   std::vector<Cell> heap;
   const auto below = [](const Cell& a, const Cell& b) { return a.upper < b.upper; };
@@ -178,10 +183,11 @@ void search_gaps(std::span<const std::array<Vec<D>, K>> simplices, double tolera
     heap.push_back(cell);
     std::push_heap(heap.begin(), heap.end(), below);
   };
-  for (Index s = 0; s < simplices.size(); ++s) add({simplices[s], s, 0});
+  ProgressMeter meter(points.progress, "audit", 0, kStepsAQuestion);
+  for (Index s = 0; s < simplices.size() && meter.step(); ++s) add({simplices[s], s, 0});
   std::size_t budget = 100000 + 50 * simplices.size();
-  const auto goal = [&] { return std::max(bracket.lower * (1 + tolerance), bracket.upper); };
-  while (!heap.empty() && heap.front().upper > goal() && budget-- > 0) {
+  const auto goal = [&] { return std::max(bracket.lower * (1 + points.tolerance), bracket.upper); };
+  while (meter.step() && !heap.empty() && heap.front().upper > goal() && budget-- > 0) {
     std::pop_heap(heap.begin(), heap.end(), below);
     const Cell cell = heap.back();
     heap.pop_back();
@@ -264,7 +270,7 @@ void search_boundary(const SpacedPoints<D>& points, GapBracket<D>& bracket) {
     offer_gaps_inwards(points, cell.of, centre, r, found);
     return std::min(upper, CellGaps<D>(points, cell.corners).largest());
   };
-  search_gaps<D, D>(simplices, points.tolerance, judge, bracket);
+  search_gaps<D, D>(points, simplices, judge, bracket);
 }
 
 // The points on each piece of a boundary, ready to be asked for the nearest.
@@ -462,7 +468,7 @@ void search_triangles(const SpacedPoints<3>& points,
     offer_gap(points.spacing, c, distance_to_corners(t, c), x, found);
     return upper;
   };
-  search_gaps<3, 3>(triangles, points.tolerance, judge, bracket);
+  search_gaps<3, 3>(points, triangles, judge, bracket);
 }
 
 std::vector<Index> sizes_of_pieces(const BoundaryPieces<3>& boundary) {
@@ -508,7 +514,7 @@ GapBracket<3> face_gap(const SpacedPoints<3>& points) {
     if (lies_over(x, faces[s], normal)) offer_gap(points.spacing, c, r, x, found);
     return upper;
   };
-  search_gaps<3, 3>(faces, points.tolerance, judge, bracket);
+  search_gaps<3, 3>(points, faces, judge, bracket);
   return bracket;
 }
 
@@ -531,7 +537,7 @@ GapBracket<D> segment_gap(const SpacedPoints<D>& points,
     }
     return ratio((diameter + e) / 2 * kUp, f * kDown - e);
   };
-  search_gaps<D, 2>(segments, points.tolerance, judge, bracket);
+  search_gaps<D, 2>(points, segments, judge, bracket);
   return bracket;
 }
 

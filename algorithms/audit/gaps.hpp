@@ -8,6 +8,7 @@
 
 #include "wellspaced/algorithms/audit/boundary_pieces.hpp"
 #include "wellspaced/algorithms/audit/spacing_tree.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced::audit {
 
@@ -27,6 +28,7 @@ struct GapBracket {
 ///
 /// delaunay: the Delaunay triangulation of the points, any of several.
 /// tolerance: brackets are narrowed until upper <= (1 + tolerance) lower, or the budget is spent.
+/// progress: phase "audit", in steps of the search; how many there will be is not known.
 template <std::size_t D>
 struct SpacedPoints {
   std::span<const Vec<D>> places;
@@ -34,6 +36,7 @@ struct SpacedPoints {
   std::span<const std::array<Index, D + 1>> delaunay;
   const BoundaryPieces<D>& boundary;
   double tolerance = 0.05;
+  Progress progress = {};
 };
 
 /// Interior gaps: centres anywhere in the domain.

@@ -191,9 +191,11 @@ void compare_with_lemma_5_1_7(Report& report, Index most, double min_angle) {
   report.theorems.push_back(std::move(theorem));
 }
 
-void audit_intersections(Judged& coarse, const Judged& finer) {
+void audit_intersections(Judged& coarse, const Judged& finer, ProgressParts& parts) {
   if (!coarse.is_embedded() || !finer.is_embedded()) return;
-  const Intersections found = count_intersections(finer.mesh(), coarse.mesh(), coarse.parents);
+  const Intersections found =
+      count_intersections(finer.mesh(), coarse.mesh(), coarse.parents, parts.part(1));
+  if (parts.stopped()) return;
   coarse.report.add_measure("intersection_mean", found.mean_per_coarse());
   coarse.report.add_measure("intersection_max", found.max_per_coarse());
   coarse.report.add_measure("intersection_max_finer", found.max_per_fine());
@@ -217,19 +219,20 @@ bool has_spacing(const Judged& coarse, const HierarchyAuditOptions& options) {
 
 // In the metric of the graph that the nodes were selected from, along all of its paths.
 void audit_graph_lipschitz(Report& report, const TriangleMesh& mesh, const SelectedNodes& selected,
-                           std::span<const Index> level_nodes) {
+                           std::span<const Index> level_nodes, ProgressParts& parts) {
   constexpr double kSlack = 1 + 0x1p-40;
   std::vector<double> values(mesh.points.size(), kInfinity);
   for (std::size_t i = 0; i < selected.nodes.size(); ++i)
     values[selected.nodes[i]] = selected.spacing[i];
-  const std::vector<double> least = coarsened_in_graph(mesh, values, 1);
+  const std::vector<double> least = coarsened_in_graph(mesh, values, 1, parts.part(3));
+  if (parts.stopped()) return;
   Check& check = report.add_check("graph_lipschitz", Item::kNode, false);
   for (std::size_t i = 0; i < selected.nodes.size(); ++i)
     if (least[selected.nodes[i]] * kSlack < selected.spacing[i]) check.violate({level_nodes[i]});
 }
 
 void audit_level_spacing(Judged& coarse, const Judged& selected_from,
-                         const HierarchyAuditOptions& options) {
+                         const HierarchyAuditOptions& options, ProgressParts& parts) {
   if (!has_spacing(coarse, options)) return;
   std::set<Index> fixed(options.fixed.begin(), options.fixed.end());
   std::vector<Index> nodes, level_nodes;
@@ -247,8 +250,10 @@ void audit_level_spacing(Judged& coarse, const Judged& selected_from,
   const SelectedNodes selected{nodes, spacing, options.beta, exempt};
   Check& graph = coarse.report.add_check("graph_spacing", Item::kEdge, false);
   graph.value = options.beta;
-  add_pairs(graph, graph_spacing_violations(selected_from.mesh(), selected), level_nodes);
-  audit_graph_lipschitz(coarse.report, selected_from.mesh(), selected, level_nodes);
+  add_pairs(graph, graph_spacing_violations(selected_from.mesh(), selected, parts.part(2)),
+            level_nodes);
+  if (parts.stopped()) return;
+  audit_graph_lipschitz(coarse.report, selected_from.mesh(), selected, level_nodes, parts);
   Check& euclidean = coarse.report.add_check("euclidean_spacing", Item::kEdge, false);
   euclidean.value = options.beta;
   for (const auto& [v, w] :
@@ -260,7 +265,8 @@ void audit_level_spacing(Judged& coarse, const Judged& selected_from,
 // the Euclidean one. The dilation mu of a Delaunay triangulation is at most 2 pi / (3 cos(pi / 6)),
 // if no boundary is in the way. Compared at some 4096 nodes at most, for where very many cones are
 // nearly as low as the lowest f_E takes long.
-void compare_with_lemma_7_1_4(const Judged& finer, double factor, Report& report) {
+void compare_with_lemma_7_1_4(const Judged& finer, double factor, ProgressParts& parts,
+                              Report& report) {
   constexpr std::size_t kMostNodes = 4096;
   constexpr double kDilation = 2.4183991523122903, kSlack = 1 + 1e-9;
   std::vector<Vec<2>> places;
@@ -270,10 +276,13 @@ void compare_with_lemma_7_1_4(const Judged& finer, double factor, Report& report
     values.push_back(factor * finer.level.spacing[v]);
   }
   const SpacingTree<2> euclidean(places, values);
-  const std::vector<double> by_graph = coarsened_in_graph(finer.mesh(), values, 1);
+  const std::vector<double> by_graph = coarsened_in_graph(finer.mesh(), values, 1, parts.part(6));
   double least = kInfinity, largest = 0;
   const std::size_t step = 1 + places.size() / kMostNodes;
+  const Progress part = parts.part(7);
+  ProgressMeter meter(part, "audit", kMostNodes, 16);  // a query may take very long
   for (std::size_t v = 0; v < places.size(); v += step) {
+    if (parts.stopped() || !meter.step()) return;
     const double quotient = by_graph[v] / euclidean.at(places[v]).value;
     least = std::min(least, quotient), largest = std::max(largest, quotient);
   }
@@ -293,8 +302,10 @@ void compare_with_lemma_7_1_4(const Judged& finer, double factor, Report& report
 }
 
 // By how much the values of a level differ from those of the level before, coarsened.
-void measure_coarsening(Judged& coarse, const Judged& finer, double factor) {
-  const auto coarsened = coarsened_in_graph(finer.mesh(), finer.level.spacing, factor);
+void measure_coarsening(Judged& coarse, const Judged& finer, double factor, ProgressParts& parts) {
+  const auto coarsened =
+      coarsened_in_graph(finer.mesh(), finer.level.spacing, factor, parts.part(5));
+  if (parts.stopped()) return;
   double least = kInfinity, largest = 0;
   for (Index v = 0; v < coarse.parents.size(); ++v) {
     if (coarse.parents[v] == kNoIndex) continue;
@@ -303,7 +314,7 @@ void measure_coarsening(Judged& coarse, const Judged& finer, double factor) {
   }
   coarse.report.add_measure("spacing_to_coarsened_min", least);
   coarse.report.add_measure("spacing_to_coarsened_max", largest);
-  compare_with_lemma_7_1_4(finer, factor, coarse.report);
+  compare_with_lemma_7_1_4(finer, factor, parts, coarse.report);
 }
 
 // ---- The whole
@@ -331,7 +342,8 @@ void require(Report& report, std::string_view name) {
 }
 
 void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
-                   const HierarchyAuditOptions& options) {
+                   const HierarchyAuditOptions& options, const Progress& progress) {
+  ProgressParts parts(progress, "audit", 8);
   coarse.parents = parents_of(coarse.origins, finer);
   require(coarse.report, "constrained_delaunay");
   if (finest.passes("boundary_has_segments")) require(coarse.report, "boundary_has_segments");
@@ -340,17 +352,21 @@ void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
   audit_fixed(coarse, options.fixed);
   if (!is_readable(coarse.report) || !is_readable(finer.report)) return;
   audit_boundary(coarse, finer, finest);
-  audit_intersections(coarse, finer);
+  audit_intersections(coarse, finer, parts);
   const bool from_finest = options.selected_from == SelectedFrom::kFinest;
-  audit_level_spacing(coarse, from_finest ? finest : finer, options);
+  if (parts.go_on(2)) audit_level_spacing(coarse, from_finest ? finest : finer, options, parts);
+  if (!parts.go_on(4)) return;
   if (options.well_spacing == WellSpacing::kMeasured && has_spacing(coarse, options)) {
-    audit_spacing(coarse.mesh(), {coarse.level.spacing, options.beta}, coarse.report);
+    SpacingAuditOptions spacing{coarse.level.spacing, options.beta};
+    spacing.progress = parts.part(4);
+    audit_spacing(coarse.mesh(), spacing, coarse.report);
+    if (parts.stopped()) return;
     compare_with_theorems(coarse.mesh(), SpacingKind::kGiven, coarse.report);
   }
   // From the values of level 0 the first level takes the factor C beta.
   const double factor = options.factor * (&finer == &finest ? options.beta : 1);
   if (factor > 0 && !from_finest && has_spacing(coarse, options) && has_spacing(finer, options))
-    measure_coarsening(coarse, finer, factor);
+    measure_coarsening(coarse, finer, factor, parts);
 }
 
 // A check without a level that counts the levels' violations of one name, level 0 apart, or of all
@@ -397,16 +413,20 @@ Report audit_hierarchy(std::span<const HierarchyLevel> levels,
                        const HierarchyAuditOptions& options) {
   Report report;
   std::vector<Judged> judged;
+  ProgressParts parts(options.progress, "audit", 2 * levels.size());
   for (const HierarchyLevel& level : levels) {
     judged.push_back(
-        judge_alone(level, judged.empty() ? options.domain : nullptr, options.progress));
+        judge_alone(level, judged.empty() ? options.domain : nullptr, parts.part(judged.size())));
     report.complete = judged.back().report.complete;
     if (!report.complete) return report;
   }
   for (Judged& level : judged) find_origins(level, judged[0]);
   for (std::size_t k = 1; k < judged.size(); ++k) {
-    if (!report.go_on(options.progress, k, judged.size())) return report;
-    judge_against(judged[k], judged[k - 1], judged[0], options);
+    report.complete = parts.go_on(levels.size() + k);
+    if (report.complete)
+      judge_against(judged[k], judged[k - 1], judged[0], options, parts.part(levels.size() + k));
+    report.complete = !parts.stopped();
+    if (!report.complete) return report;
   }
   sum_up(report, "levels_valid", judged, "");
   sum_up(report, "levels_constrained_delaunay", judged, "constrained_delaunay");

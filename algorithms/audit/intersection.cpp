@@ -271,14 +271,16 @@ Index Intersections::max_per_coarse() const { return largest(per_coarse); }
 Index Intersections::max_per_fine() const { return largest(per_fine); }
 
 Intersections count_intersections(const TriangleMesh& fine, const TriangleMesh& coarse,
-                                  std::span<const Index> origin) {
+                                  std::span<const Index> origin, const Progress& progress) {
   Intersections result;
   result.per_coarse.assign(coarse.triangles.size(), 0);
   result.per_fine.assign(fine.triangles.size(), 0);
   const LocalOrder order = local_order(fine);
   const std::vector<double> lengths = longest_edges(order.mesh);
   Walker walker(order.mesh);
+  ProgressMeter meter(progress, "intersect", coarse.triangles.size(), 1 << 10);
   for (const Index t : local_order(coarse).given_triangle) {
+    if (!meter.step()) break;
     const Corners corners = corners_of(coarse.points, coarse.triangles[t]);
     const int sign = orient2d(corners[0], corners[1], corners[2]);
     if (sign == 0) continue;

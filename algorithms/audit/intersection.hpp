@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced::audit {
 
@@ -27,6 +28,7 @@ struct Intersections {
 /// that meet the coarse triangle.
 /// origin: for each coarse node the fine node at the same place, to start from; or empty, or
 ///   numbers that do not fit: then a search tree finds the starts.
+/// progress: phase "intersect", in coarse triangles.
 /// Requires: both meshes have valid indices, distinct corners and finite coordinates; the fine one
 ///   has no flat triangle and does not overlap itself. Orientation does not matter.
 /// Degenerate: a flat coarse triangle meets nothing.
@@ -34,6 +36,6 @@ struct Intersections {
 ///   fine mesh has a boundary inside a coarse triangle, or there is no origin, a factor log n.
 /// See: section 5.1; CHOICES 11.
 Intersections count_intersections(const TriangleMesh& fine, const TriangleMesh& coarse,
-                                  std::span<const Index> origin);
+                                  std::span<const Index> origin, const Progress& progress = {});
 
 }  // namespace wellspaced::audit

@@ -91,13 +91,15 @@ class BoundedSearch {
 }  // namespace
 
 std::vector<std::array<Index, 2>> graph_spacing_violations(const TriangleMesh& mesh,
-                                                           const SelectedNodes& selected) {
+                                                           const SelectedNodes& selected,
+                                                           const Progress& progress) {
   std::vector<std::array<Index, 2>> violations;
   std::vector<Index> position(mesh.points.size(), kNoIndex);
   for (Index i = 0; i < selected.nodes.size(); ++i) position[selected.nodes[i]] = i;
   const auto exempt = [&](Index i) { return !selected.exempt.empty() && selected.exempt[i] != 0; };
   BoundedSearch search(mesh);
-  for (Index i = 0; i < selected.nodes.size(); ++i) {
+  ProgressMeter meter(progress, "audit", selected.nodes.size(), 1 << 9);
+  for (Index i = 0; i < selected.nodes.size() && meter.step(); ++i) {
     const double f = selected.spacing[i];
     // Each pair is found from the node with the larger value, whose radius reaches the other.
     search.run(selected.nodes[i], 2 * f / selected.beta, [&](Index v, double at, unsigned edges) {
@@ -126,7 +128,7 @@ std::vector<std::array<Index, 2>> euclidean_spacing_violations(const TriangleMes
 }
 
 std::vector<double> coarsened_in_graph(const TriangleMesh& mesh, std::span<const double> values,
-                                       double factor) {
+                                       double factor, const Progress& progress) {
   const Neighbours neighbours(mesh);
   std::vector<double> coarsened;
   std::vector<std::pair<double, Index>> heap;
@@ -135,7 +137,8 @@ std::vector<double> coarsened_in_graph(const TriangleMesh& mesh, std::span<const
     heap.push_back({coarsened[v], v});
   }
   std::make_heap(heap.begin(), heap.end(), std::greater<>());
-  while (!heap.empty()) {
+  ProgressMeter meter(progress, "audit", 0);
+  while (!heap.empty() && meter.step()) {
     std::pop_heap(heap.begin(), heap.end(), std::greater<>());
     const auto [at, v] = heap.back();
     heap.pop_back();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced::audit {
 
@@ -26,10 +27,12 @@ struct SelectedNodes {
 /// is the weighted graph distance of the mesh (Definition 7.1.2), along triangle edges and
 /// segments. Only what rounding cannot explain is a violation: a sum of k rounded lengths is
 /// trusted to (k + 4) units of 2^-52. Requires: indices in range; distinct nodes; as many spacing
-/// values as nodes. Cost: O(s log s) for the s nodes within distance 2 f_i / beta of each node i.
+/// values as nodes. progress: phase "audit".
+/// Cost: O(s log s) for the s nodes within distance 2 f_i / beta of each node i.
 /// See: sections 7.1 and 7.3; CHOICES 1 and 18.
 std::vector<std::array<Index, 2>> graph_spacing_violations(const TriangleMesh& mesh,
-                                                           const SelectedNodes& selected);
+                                                           const SelectedNodes& selected,
+                                                           const Progress& progress = {});
 
 /// The edges of a mesh, as pairs of nodes, with f + f > beta |edge|, beyond rounding. Spacing in
 /// the graph metric does not imply this.
@@ -40,8 +43,8 @@ std::vector<std::array<Index, 2>> euclidean_spacing_violations(const TriangleMes
 
 /// The coarsening function f_{g,C} in the graph metric at the nodes of a mesh: for each node i the
 /// least C g_j + d_G(i, j) over all nodes j (Lemma 7.1.4).
-/// Requires: one value >= 0 a node; factor > 0. Cost: O(n log n).
+/// progress: phase "audit". Requires: one value >= 0 a node; factor > 0. Cost: O(n log n).
 std::vector<double> coarsened_in_graph(const TriangleMesh& mesh, std::span<const double> values,
-                                       double factor);
+                                       double factor, const Progress& progress = {});
 
 }  // namespace wellspaced::audit

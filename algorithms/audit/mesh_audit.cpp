@@ -24,10 +24,8 @@ void require_boundary_segments(const TriangleMesh& mesh, const HalfEdges& half_e
 void audit_in_local_order(const TriangleMesh& mesh, const MeshAuditOptions& options,
                           Report& report) {
   const auto nodes = static_cast<Index>(mesh.points.size());
-  constexpr std::uint64_t kParts = 7;
-  const auto go_on = [&](std::uint64_t done) {
-    return report.go_on(options.progress, done, kParts);
-  };
+  ProgressParts parts(options.progress, "audit", 7);
+  const auto go_on = [&](std::uint64_t done) { return report.complete = parts.go_on(done); };
   if (!go_on(1)) return;
   const HalfEdges half_edges = pair_half_edges(mesh.triangles, mesh.segments, nodes);
   if (!go_on(2)) return;
@@ -68,7 +66,8 @@ void restore_numbers(Report& report, std::size_t first_check, const LocalOrder& 
 
 Report audit_mesh(const TriangleMesh& mesh, const MeshAuditOptions& options) {
   Report report;
-  if (!report.go_on(options.progress, 0, 1) || !audit_syntax(mesh, report)) return report;
+  report.complete = wellspaced::report(options.progress, "audit", 0, 1);
+  if (!report.complete || !audit_syntax(mesh, report)) return report;
   const std::size_t syntax = report.checks.size();
   const LocalOrder order = local_order(mesh);
   audit_in_local_order(order.mesh, options, report);

@@ -80,11 +80,13 @@ Result<Pslg> joined(std::span<const Point2> points, const Pslg& domain) {
 
 }  // namespace
 
-Result<TriangleMesh> mesh_of_points(std::span<const Point2> points, const Pslg* domain) {
+Result<TriangleMesh> mesh_of_points(std::span<const Point2> points, const Pslg* domain,
+                                    const Progress& progress) {
   Pslg graph;
   graph.points.assign(points.begin(), points.end());
   TriangulateOptions options;
   options.holes = HoleRule::kNone;
+  options.progress = progress;
   if (domain != nullptr) {
     auto with_segments = joined(points, *domain);
     if (!with_segments) return with_segments.error();
@@ -101,8 +103,8 @@ Result<TriangleMesh> mesh_of_points(std::span<const Point2> points, const Pslg* 
   return mesh;
 }
 
-Result<TetMesh> mesh_of_points(std::span<const Point3> points) {
-  const auto delaunay = Delaunay3::build(points);
+Result<TetMesh> mesh_of_points(std::span<const Point3> points, const Progress& progress) {
+  const auto delaunay = Delaunay3::build(points, {.progress = progress});
   if (!delaunay) return delaunay.error();
   TetMesh mesh;
   mesh.points.assign(points.begin(), points.end());

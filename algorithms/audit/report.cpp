@@ -77,11 +77,6 @@ bool Report::pass() const {
          });
 }
 
-bool Report::go_on(const Progress& progress, std::uint64_t done, std::uint64_t total) {
-  complete = complete && report(progress, "audit", done, total);
-  return complete;
-}
-
 const Check* Report::check(std::string_view name) const { return find(checks, name); }
 
 const Measure* Report::measure(std::string_view name) const { return find(measures, name); }

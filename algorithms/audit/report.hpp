@@ -110,9 +110,6 @@ struct Report {
 
   /// The verdict: every required check passes, and none is missing.
   bool pass() const;
-  /// Tells `progress` (phase "audit") that `done` parts of `total` are judged. Returns `complete`,
-  /// which is false from now on if it says stop.
-  bool go_on(const Progress& progress, std::uint64_t done, std::uint64_t total);
   /// The first check, or measure, of this name; null if there is none.
   const Check* check(std::string_view name) const;
   const Measure* measure(std::string_view name) const;

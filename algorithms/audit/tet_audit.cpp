@@ -14,10 +14,8 @@ namespace wellspaced::audit {
 namespace {
 
 void audit_in_local_order(const TetMesh& mesh, const TetAuditOptions& options, Report& report) {
-  constexpr std::uint64_t kParts = 7;
-  const auto go_on = [&](std::uint64_t done) {
-    return report.go_on(options.progress, done, kParts);
-  };
+  ProgressParts parts(options.progress, "audit", 7);
+  const auto go_on = [&](std::uint64_t done) { return report.complete = parts.go_on(done); };
   if (!go_on(1)) return;
   const TetFaces faces =
       pair_tet_faces(mesh.tets, mesh.facets, static_cast<Index>(mesh.points.size()));
@@ -51,7 +49,8 @@ void restore_numbers(Check& check, const TetLocalOrder& order) {
 
 Report audit_tet_mesh(const TetMesh& mesh, const TetAuditOptions& options) {
   Report report;
-  if (!report.go_on(options.progress, 0, 1) || !audit_tet_syntax(mesh, report)) return report;
+  report.complete = wellspaced::report(options.progress, "audit", 0, 1);
+  if (!report.complete || !audit_tet_syntax(mesh, report)) return report;
   const std::size_t syntax = report.checks.size();
   const TetLocalOrder order = local_order(mesh);
   audit_in_local_order(order.mesh, options, report);

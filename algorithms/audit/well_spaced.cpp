@@ -137,10 +137,10 @@ Edges segments_of(const TetMesh& mesh, const Places<3>& places, const BoundaryPi
 // ---- The triangulation in which gaps are sought
 
 // All points and their Delaunay triangulation as a mesh; without elements where they have no area.
-TriangleMesh delaunay_mesh(const Places<2>& places) {
+TriangleMesh delaunay_mesh(const Places<2>& places, const Progress& progress) {
   TriangleMesh mesh;
   for (const Vec<2>& p : places.at) mesh.points.push_back(point_at(p));
-  const auto delaunay = Delaunay2::build(mesh.points);
+  const auto delaunay = Delaunay2::build(mesh.points, {.progress = progress});
   if (!delaunay) return mesh;
   const Triangulation2& topology = delaunay->topology();
   for (Index t = 0; t < topology.size(); ++t)
@@ -148,10 +148,10 @@ TriangleMesh delaunay_mesh(const Places<2>& places) {
   return mesh;
 }
 
-TetMesh delaunay_mesh(const Places<3>& places) {
+TetMesh delaunay_mesh(const Places<3>& places, const Progress& progress) {
   TetMesh mesh;
   for (const Vec<3>& p : places.at) mesh.points.push_back(point_at(p));
-  const auto delaunay = Delaunay3::build(mesh.points);
+  const auto delaunay = Delaunay3::build(mesh.points, {.progress = progress});
   if (!delaunay) return mesh;
   const Triangulation3& topology = delaunay->topology();
   for (Index t = 0; t < topology.size(); ++t)
@@ -161,8 +161,9 @@ TetMesh delaunay_mesh(const Places<3>& places) {
 
 // Whether an embedded mesh is the Delaunay triangulation of all its points: locally Delaunay, and
 // its boundary convex.
-bool is_delaunay(const TriangleMesh& mesh) {
-  const Report report = audit_mesh(mesh);
+bool is_delaunay(const TriangleMesh& mesh, const Progress& progress) {
+  const Report report = audit_mesh(mesh, {.progress = progress});
+  if (!report.complete) return false;
   const HalfEdges half_edges =
       pair_half_edges(mesh.triangles, {}, static_cast<Index>(mesh.points.size()));
   return report.pass() && report.check("delaunay")->pass() &&
@@ -195,8 +196,8 @@ bool is_convex_along_edges(const TetMesh& mesh) {
   return sides.size() % 2 == 0;
 }
 
-bool is_delaunay(const TetMesh& mesh) {
-  const Report report = audit_tet_mesh(mesh);
+bool is_delaunay(const TetMesh& mesh, const Progress& progress) {
+  const Report report = audit_tet_mesh(mesh, {.progress = progress});
   return report.pass() && report.check("delaunay")->pass() &&
          report.check("no_unused_node")->pass() &&
          report.measure("boundary_components")->value == 1 && is_convex_along_edges(mesh);
@@ -225,11 +226,19 @@ class SpacingAudit {
       : mesh_(mesh),
         options_(options),
         report_(report),
+        parts_(options.progress, "audit", kParts),
         scale_(scale_of(mesh.points)),
         places_(places_of<D>(std::span(mesh.points), scale_)) {}
 
   void run() {
-    if (places_.at.size() < 2) return;
+    if (places_.at.size() >= 2) judge();
+    report_.complete = report_.complete && parts_.go_on(kParts);
+  }
+
+ private:
+  static constexpr std::uint64_t kParts = 13;  // at most so many calls of next_part()
+
+  void judge() {
     const std::vector<double> none(places_.at.size(), 0.0);
     nearest_ = distances_to_nearest(SpacingTree<D>(places_.at, none));
     if (!find_values()) return;
@@ -240,19 +249,31 @@ class SpacingAudit {
     measure_ratios();
     measure_density();
     measure_integral(spacing);
+    if (parts_.stopped()) return;
     const BoundaryPieces<D> boundary(places_.at, boundary_of(mesh_, places_));
     measure_boundary_distance(boundary);
+    if (parts_.stopped()) return;
     const double gap = measure_gaps(spacing, boundary);
     Check& check = report_.add_check("well_spaced", Item::kNone, false);
     check.value = gap;
     if (!lipschitz || !std::isfinite(gap)) check.violate({});
   }
 
- private:
-  std::vector<double> distances_to_nearest(const SpacingTree<D>& tree) const {
-    std::vector<double> distances;
-    for (Index i = 0; i < places_.at.size(); ++i)
-      distances.push_back(tree.nearest(places_.at[i], i).value);
+  Progress next_part() { return parts_.part(part_++); }
+
+  // Unless it is told to stop.
+  template <class Visit>
+  void for_each(std::size_t count, Visit visit) {
+    if (parts_.stopped()) return;
+    const Progress part = next_part();
+    ProgressMeter meter(part, "audit", count, 1 << 12);
+    for (Index i = 0; i < count && meter.step(); ++i) visit(i);
+  }
+
+  std::vector<double> distances_to_nearest(const SpacingTree<D>& tree) {
+    std::vector<double> distances(places_.at.size(), kInfinity);
+    for_each(places_.at.size(),
+             [&](Index i) { distances[i] = tree.nearest(places_.at[i], i).value; });
     return distances;
   }
 
@@ -277,31 +298,30 @@ class SpacingAudit {
 
   bool audit_lipschitz(const SpacingTree<D>& spacing) {
     Check& check = report_.add_check("lipschitz", Item::kEdge, false);
-    for (Index p = 0; p < values_.size(); ++p) {
+    for_each(values_.size(), [&](Index p) {
       const auto found = spacing.at(places_.at[p]);
       if (found.value * kRounding < values_[p]) violate(check, p, found.node);
-    }
+    });
     return check.pass();
   }
 
   void audit_beta(const SpacingTree<D>& spacing) {
     double beta = 0;
     Index first = 0, second = 0;
-    for (Index p = 0; p < values_.size(); ++p) {
+    for_each(values_.size(), [&](Index p) {
       const auto found = spacing.most_crowded(places_.at[p], values_[p], p, beta);
-      if (found.node == kNoIndex) continue;
-      beta = found.value, first = p, second = found.node;
-    }
+      if (found.node != kNoIndex) beta = found.value, first = p, second = found.node;
+    });
     report_.add_measure("beta", beta);
     add_witness("beta", places_.at[first], places_.at[second]);
     if (options_.beta <= 0) return;
     Check& check = report_.add_check("beta_spaced", Item::kEdge, false);
     check.value = options_.beta;
-    for (Index p = 0; p < values_.size(); ++p) {
+    for_each(values_.size(), [&](Index p) {
       const auto found =
           spacing.most_crowded(places_.at[p], values_[p], p, options_.beta * kRounding);
       if (found.node != kNoIndex) violate(check, p, found.node);
-    }
+    });
   }
 
   void measure_ratios() {
@@ -334,25 +354,25 @@ class SpacingAudit {
   // Flat elements, of which no centre is known, are not judged.
   void audit_spheres(const SpacingTree<D>& spacing) {
     Check& check = report_.add_check("spheres_empty", D == 2 ? Item::kTriangle : Item::kTet, false);
-    for (Index e = 0; e < cells_of(mesh_).size(); ++e) {
+    for_each(cells_of(mesh_).size(), [&](Index e) {
       const auto corners = corners_of(cells_of(mesh_)[e]);
       const auto [centre, error] = circumcentre<D>(corners);
       double radius = kInfinity;
       for (const auto& corner : corners) radius = std::min(radius, distance_of(centre, corner));
       if (spacing.nearest(centre).value * kRounding < radius - 2 * error) check.violate({e});
-    }
+    });
   }
 
   // By the midpoint rule: one place an element.
   void measure_integral(const SpacingTree<D>& spacing) {
     double integral = 0;
-    for (const auto& element : cells_of(mesh_)) {
-      const auto corners = corners_of(element);
+    for_each(cells_of(mesh_).size(), [&](Index e) {
+      const auto corners = corners_of(cells_of(mesh_)[e]);
       Vec<D> centre{};
       for (const auto& corner : corners) centre = step(centre, 1.0 / (D + 1), corner);
       const double f = spacing.at(centre).value;
       integral += volume_of(corners) / (D == 2 ? f * f : f * f * f);
-    }
+    });
     report_.add_measure("spacing_integral", integral);
   }
 
@@ -360,12 +380,12 @@ class SpacingAudit {
     double least = kInfinity;
     Index node = kNoIndex;
     Vec<D> place{};
-    for (Index p = 0; p < values_.size(); ++p) {
+    for_each(values_.size(), [&](Index p) {
       const double bound = std::isfinite(least) ? least * values_[p] : 0x1p200;
       const auto found = boundary.nearest_elsewhere(p, bound);
-      if (found.distance >= bound) continue;
+      if (found.distance >= bound) return;
       least = found.distance / values_[p], node = p, place = found.place;
-    }
+    });
     if (node == kNoIndex) return;
     report_.add_measure("boundary_distance", least);
     add_witness("boundary_distance", places_.at[node], place);
@@ -373,14 +393,20 @@ class SpacingAudit {
 
   // Returns the largest upper end of all brackets.
   double measure_gaps(const SpacingTree<D>& spacing, const BoundaryPieces<D>& boundary) {
-    const Mesh delaunay = delaunay_mesh(places_);
+    const Mesh delaunay = delaunay_mesh(places_, next_part());
+    if (parts_.stopped()) return kInfinity;
     Check& check = report_.add_check("gaps_certified", Item::kNone, false);
-    if (!is_delaunay(delaunay)) check.violate({});
-    const SpacedPoints<D> points{places_.at, spacing, cells_of(delaunay), boundary,
-                                 options_.tolerance};
+    if (!is_delaunay(delaunay, next_part())) check.violate({});
+    if (parts_.stopped()) return kInfinity;
+    SpacedPoints<D> points{places_.at,         spacing,    cells_of(delaunay), boundary,
+                           options_.tolerance, next_part()};
     double gap = add_bracket("gap_interior", interior_gap(points));
+    if (parts_.stopped()) return kInfinity;
+    points.progress = next_part();
     gap = std::max(gap, add_bracket("gap_segment",
                                     segment_gap(points, segments_of(mesh_, places_, boundary))));
+    if (parts_.stopped()) return kInfinity;
+    points.progress = next_part();
     if constexpr (D == 3) gap = std::max(gap, add_bracket("gap_face", face_gap(points)));
     report_.add_measure("gap", gap);
     return gap;
@@ -404,6 +430,8 @@ class SpacingAudit {
   const Mesh& mesh_;
   const SpacingAuditOptions& options_;
   Report& report_;
+  ProgressParts parts_;
+  std::uint64_t part_ = 0;
   double scale_;
   Places<D> places_;
   std::vector<double> nearest_, values_;

@@ -5,6 +5,7 @@
 
 #include "wellspaced/algorithms/audit/report.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced::audit {
 
@@ -12,10 +13,12 @@ namespace wellspaced::audit {
 ///   Between the nodes f is the largest 1-Lipschitz function with these values.
 /// beta: the spacing constant that is claimed; 0: none is, and beta_spaced is not judged.
 /// tolerance: how far apart the ends of a bracket may be, relative to the lower one.
+/// progress: phase "audit". Once it says stop the report is not complete.
 struct SpacingAuditOptions {
   std::span<const double> spacing = {};
   double beta = 0;
   double tolerance = 0.05;
+  Progress progress = {};
 };
 
 /// Judges how the nodes are spaced, in the Euclidean metric. Nodes at one place, as on the lips of

@@ -158,41 +158,50 @@ std::vector<Index> special_points(const TriangleMesh& mesh, const Skeleton& skel
 }
 
 // The local feature size of B at every node, and B's vertices among the special points.
-Result<std::vector<double>> keep_boundary(TriangleMesh& mesh, const CoarseningOptions& options) {
+Result<std::vector<double>> keep_boundary(TriangleMesh& mesh, const CoarseningOptions& options,
+                                          const Progress& progress) {
   const BoundaryDescription b = boundary_description(mesh);
   mesh.fixed.insert(mesh.fixed.end(), b.vertices.begin(), b.vertices.end());
   sort_unique(mesh.fixed);
   const auto lfs = LocalFeatureSize::build(b.graph);
   if (!lfs) return lfs.error();
   const bool plain = options.metric == SpacingMetric::kEuclidean;
-  return sampled([&](Point2 p) { return plain ? lfs->at(p) : lfs->geodesic_at(p); }, mesh.points);
+  ProgressMeter meter(progress, "prepare", mesh.points.size(), 1 << 10);
+  const auto lfs_at = [&](Point2 p) {
+    if (!meter.step()) return 0.0;
+    return plain ? lfs->at(p) : lfs->geodesic_at(p);
+  };
+  return sampled(lfs_at, mesh.points);
 }
 
 // A spacing f sets nodes 2 f / beta apart: at each special point as far as it is from the next one.
-std::vector<double> special_point_limit(const TriangleMesh& mesh, double beta) {
+std::vector<double> special_point_limit(const TriangleMesh& mesh, double beta,
+                                        const Progress& progress) {
   std::vector<double> limit(mesh.points.size(), std::numeric_limits<double>::infinity());
   const std::vector<double> apart = special_point_distances(mesh);
   for (std::size_t i = 0; i < apart.size(); ++i) limit[mesh.fixed[i]] = apart[i];
-  return euclidean_coarsened_spacing(mesh.points, limit, beta / 2);
+  return euclidean_coarsened_spacing(mesh.points, limit, beta / 2, progress);
 }
 
 // The least of all limits on the spacing that the options ask for; empty if there are none.
-Result<std::vector<double>> spacing_limit(TriangleMesh& mesh, const CoarseningOptions& options) {
+Result<std::vector<double>> spacing_limit(TriangleMesh& mesh, const CoarseningOptions& options,
+                                          const Progress& progress) {
   std::vector<double> limit;
   if (options.limit_by_boundary) {
-    auto lfs = keep_boundary(mesh, options);
+    auto lfs = keep_boundary(mesh, options, progress);
     if (!lfs) return lfs.error();
     limit = std::move(*lfs);
   }
   if (!options.limit_by_special_points) return limit;
-  std::vector<double> special = special_point_limit(mesh, options.beta);
+  std::vector<double> special = special_point_limit(mesh, options.beta, progress);
   for (std::size_t v = 0; v < limit.size(); ++v) special[v] = std::min(special[v], limit[v]);
   return special;
 }
 
-Level finest_level(TriangleMesh mesh, const Graph& graph, const CoarseningOptions& options) {
+Level finest_level(TriangleMesh mesh, const Graph& graph, const CoarseningOptions& options,
+                   const Progress& progress) {
   Level level;
-  level.spacing = input_spacing(mesh, graph, options);
+  level.spacing = input_spacing(mesh, graph, options, progress);
   level.origin.resize(mesh.points.size());
   std::iota(level.origin.begin(), level.origin.end(), Index{0});
   level.mesh = std::move(mesh);
@@ -239,24 +248,32 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   if (const Status status = check_options(options, mesh.points.size()); !status)
     return status.error();
 
-  const auto go_on = [&, nodes = mesh.points.size()]() -> Status {
-    if (report(options.progress, "prepare", 0, nodes)) return Ok{};
+  bool stopped = false;
+  const Progress prepare = [&, nodes = mesh.points.size()](auto, auto, auto) {
+    stopped = stopped || !report(options.progress, "prepare", 0, nodes);
+    return !stopped;
+  };
+  const auto go_on = [&]() -> Status {
+    if (report(prepare, "prepare", 0, 0)) return Ok{};
     return Error{ErrorCode::kCancelled, "coarsening was cancelled", {}};
   };
+  if (const Status status = go_on(); !status) return status.error();
   Skeleton skeleton = uses_graph(options) ? skeleton_of(mesh) : skeleton_without_graph(mesh);
   if (const Status status = go_on(); !status) return status.error();
   mesh.fixed = special_points(mesh, skeleton, options);
   complete_segments(mesh, skeleton.boundary);
+  if (const Status status = go_on(); !status) return status.error();
   if (options.method == CoarseningMethod::kQuadtree) {
-    Level finest = finest_level(std::move(mesh), skeleton.graph, options);
+    Level finest = finest_level(std::move(mesh), skeleton.graph, options, prepare);
     Boundary boundary = std::move(skeleton.boundary);
     skeleton = {};  // large, and of no more use
     return coarsen_by_quadtree(std::move(finest), std::move(boundary), options);
   }
-  const auto limit = spacing_limit(mesh, options);
+  const auto limit = spacing_limit(mesh, options, prepare);
   if (!limit) return limit.error();
   if (const Status status = go_on(); !status) return status.error();
-  Level finest = finest_level(std::move(mesh), skeleton.graph, options);
+  Level finest = finest_level(std::move(mesh), skeleton.graph, options, prepare);
+  if (const Status status = go_on(); !status) return status.error();
   if (options.method == CoarseningMethod::kRefinement)
     return coarsen_by_refinement(std::move(finest), skeleton, options);
   return build_levels(std::move(finest), std::move(skeleton), *limit, options);

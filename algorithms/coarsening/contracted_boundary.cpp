@@ -149,7 +149,8 @@ bool ContractedBoundary::leaves_outside(Point2 p) const {
 }
 
 ContractedBoundary contract_and_repair(const Boundary& boundary, std::span<const Point2> points,
-                                       NodeSelection& selection, AreaRange areas) {
+                                       NodeSelection& selection, AreaRange areas,
+                                       const NodeSelection::KeepGoing& keep_going) {
   std::vector<std::uint8_t> survives(points.size(), 0);
   while (true) {
     const std::vector<Index> selected = selection.selected();
@@ -159,7 +160,7 @@ ContractedBoundary contract_and_repair(const Boundary& boundary, std::span<const
     const double area = contracted.area();
     if (broken.empty() && (area < areas.least || area > areas.most))
       broken = contracted.edges_that_move_most();
-    if (broken.empty()) return contracted;
+    if (broken.empty() || (keep_going && !keep_going())) return contracted;
     for (const std::size_t i : broken)
       selection.force(std::array{middle_node(boundary, contracted.edges()[i])});
   }

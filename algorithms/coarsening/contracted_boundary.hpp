@@ -78,8 +78,10 @@ class ContractedBoundary {
 /// Contracts the boundary to the selected nodes. While edges are broken, the middle node that each
 /// has eliminated is selected again, by force (CHOICES 10); then, while the area is out of range,
 /// those of the edges that move most.
-/// Ends: at the latest when every boundary node is selected.
+/// Ends: at the latest when every boundary node is selected, or when keep_going, asked before each
+/// contraction but the first, says stop.
 ContractedBoundary contract_and_repair(const Boundary& boundary, std::span<const Point2> points,
-                                       NodeSelection& selection, AreaRange areas = {});
+                                       NodeSelection& selection, AreaRange areas = {},
+                                       const NodeSelection::KeepGoing& keep_going = {});
 
 }  // namespace wellspaced

@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/coarsening/node_selection.hpp"
 #include "wellspaced/kernel/local_search.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -29,19 +30,21 @@ struct ProtectiveZone {
 /// the boundary cuts it off: a straight line to the nearer end is at most sqrt(1/4 + ratio^2)
 /// |edge| long, and a path through the mesh not much longer.
 /// search: in the mesh's graph. on_boundary: one flag a node; boundary nodes are exempt.
+/// progress: phase "boundary", in nodes looked at.
 /// Cost: linear in the nodes within reach of the edges.
 /// See: section 7.4.1, Figures 7.8 and 7.10 step 4; CHOICES 9 and 17.
 void protect_edges(LocalSearch& search, std::span<const Point2> points,
                    std::span<const ContractedEdge> edges, std::span<const std::uint8_t> on_boundary,
-                   const ProtectiveZone& zone, NodeSelection& selection);
+                   const ProtectiveZone& zone, NodeSelection& selection,
+                   const Progress& progress = {});
 
 /// Counts the nodes that each node of the new boundary inspects to protect its edges: it searches
 /// the diametral circle of every edge that ends in it, through nodes inside alone, and inspects the
 /// edge's ends and what it reaches. A node in the circles of two of its edges counts twice.
 /// Returns: one search for each end of an edge.
-/// Requires: no edge joins two nodes at one place. Cost: linear in the nodes inspected and in the
-/// points. See: section 8.4.3, whose figures this reading gives (README.md).
+/// progress: as above. Requires: no edge joins two nodes at one place. Cost: linear in the nodes
+/// inspected and in the points. See: section 8.4.3, whose figures this reading gives (README.md).
 SearchCount inspect_edges(LocalSearch& search, std::span<const Point2> points,
-                          std::span<const ContractedEdge> edges);
+                          std::span<const ContractedEdge> edges, const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -22,6 +22,11 @@ using Tell = std::function<bool(std::string_view)>;
 
 Error cancelled() { return {ErrorCode::kCancelled, "coarsening was cancelled", {}}; }
 
+// The questions of a part of a phase are those of the phase. Requires: `tell` outlives it.
+Progress within(std::string_view phase, const Tell& tell) {
+  return [&tell, phase](auto, auto, auto) { return tell(phase); };
+}
+
 bool is_mis_based(const CoarseningOptions& options) {
   return options.method == CoarseningMethod::kMis;
 }
@@ -78,10 +83,13 @@ std::vector<Index> interior_nodes(const Boundary& boundary) {
 
 // Returns how many.
 std::size_t drop_nodes_outside(const ContractedBoundary& contracted, std::span<const Point2> points,
-                               std::span<const Index> nodes, NodeSelection& selection) {
+                               std::span<const Index> nodes, const Progress& progress,
+                               NodeSelection& selection) {
   std::size_t dropped = 0;
   if (!contracted.moves_anything()) return dropped;
+  ProgressMeter meter(progress, "select", nodes.size());
   for (const Index v : nodes) {
+    if (!meter.step()) break;
     if (!selection.is_free(v) || !contracted.leaves_outside(points[v])) continue;
     selection.invalidate(v);
     ++dropped;
@@ -136,7 +144,9 @@ Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest
   const Boundary& boundary = source.skeleton.boundary;
   CoarseningWork work;
   std::vector<double> f;
-  if (!is_mis_based(options)) f = coarsened(source, request.factor, options);
+  if (!is_mis_based(options))
+    f = coarsened(source, request.factor, options, within("spacing", tell));
+  if (!tell("spacing")) return cancelled();
   if (counts_paths(options)) measure_paths(graph, finer.spacing, request.factor, f, work);
 
   if (!tell("boundary")) return cancelled();
@@ -144,20 +154,25 @@ Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest
   LocalSearch search(graph);
   NodeSelection selection(graph.nodes(), boundary.twins, conflict_rule(source, search, f, options),
                           search_counter(search, f, options, work.selection));
-  selection.force(finer.mesh.fixed);
-  selection.force(request.forced);
-  if (!selection.select(boundary.nodes, keys, [&] { return tell("boundary"); })) return cancelled();
+  const NodeSelection::KeepGoing keep_going = [&] { return tell("boundary"); };
+  if (!selection.force(finer.mesh.fixed, keep_going)) return cancelled();
+  if (!selection.force(request.forced, keep_going)) return cancelled();
+  if (!selection.select(boundary.nodes, keys, keep_going)) return cancelled();
   const std::size_t chosen = selection.selected().size();
   const ContractedBoundary contracted =
-      contract_and_repair(boundary, points, selection, request.areas);
+      contract_and_repair(boundary, points, selection, request.areas, keep_going);
   const std::size_t reinstated = selection.selected().size() - chosen;
   const ProtectiveZone zone = zone_of(options);
-  if (options.count_work) work.edge_protection = inspect_edges(search, points, contracted.edges());
-  protect_edges(search, points, contracted.edges(), boundary.on_boundary, zone, selection);
+  if (options.count_work)
+    work.edge_protection =
+        inspect_edges(search, points, contracted.edges(), within("boundary", tell));
+  protect_edges(search, points, contracted.edges(), boundary.on_boundary, zone, selection,
+                within("boundary", tell));
 
   if (!tell("select")) return cancelled();
   const std::vector<Index> interior = interior_nodes(boundary);
-  const std::size_t dropped = drop_nodes_outside(contracted, points, interior, selection);
+  const std::size_t dropped =
+      drop_nodes_outside(contracted, points, interior, within("select", tell), selection);
   if (!selection.select(interior, keys, [&] { return tell("select"); })) return cancelled();
 
   if (!tell("triangulate")) return cancelled();
@@ -169,7 +184,8 @@ Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest
   step.level.dropped_outside = dropped;
 
   auto triangulation = triangulate_domain(step.level.mesh.points,
-                                          constrained_edges(boundary, contracted.edges(), number));
+                                          constrained_edges(boundary, contracted.edges(), number),
+                                          {}, within("triangulate", tell));
   if (!triangulation) return triangulation.error();
   step.level.mesh.triangles = std::move(triangulation->triangles);
   step.level.mesh.segments = std::move(triangulation->segments);

@@ -36,7 +36,8 @@ struct StepRequest {
 /// nodes by the order and rules of CHOICES 17.
 /// source: of a level as `coarsen` makes them, or any valid level whose fixed points hold the
 ///   anchors of its boundary.
-/// tell: called with the name of each phase; returns false to cancel.
+/// tell: called with the name of each phase, and again and again in its course; returns false to
+///   cancel, and from then on.
 /// Errors: kCancelled, and those of `coarsen`.
 Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest& request,
                                      const CoarseningOptions& options,

@@ -103,9 +103,10 @@ std::vector<Segment> as_segments(std::span<const ConstrainedEdge> edges) {
 
 Result<DomainTriangulation> triangulate_domain(std::span<const Point2> points,
                                                std::span<const ConstrainedEdge> edges,
-                                               std::span<const Index> along_curve) {
-  auto delaunay =
-      along_curve.empty() ? Delaunay2::build(points) : Delaunay2::build(points, along_curve);
+                                               std::span<const Index> along_curve,
+                                               const Progress& progress) {
+  auto delaunay = along_curve.empty() ? Delaunay2::build(points, {.progress = progress})
+                                      : Delaunay2::build(points, along_curve);
   if (!delaunay) return delaunay.error();
   if (delaunay->dimension() < 2) return DomainTriangulation{{}, as_segments(edges)};
 

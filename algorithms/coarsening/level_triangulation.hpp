@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -37,10 +38,12 @@ struct DomainTriangulation {
 ///   no triangle. Fewer than 3 points, or collinear ones: no triangles.
 /// Errors: those of Delaunay2::build; kInvalidGeometry where edges cross (ids: their ends).
 /// along_curve: the point numbers in order along a curve, if the caller has them so; else empty.
+/// progress: phase "triangulate", where along_curve is empty.
 /// Cost: O(n log n) expected; in practice linear, and without a sort if along_curve is given.
 /// See: section 8.2 step 4, CHOICES 16.
 Result<DomainTriangulation> triangulate_domain(std::span<const Point2> points,
                                                std::span<const ConstrainedEdge> edges,
-                                               std::span<const Index> along_curve = {});
+                                               std::span<const Index> along_curve = {},
+                                               const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -11,7 +11,7 @@ namespace {
 // this much more, on a path of any length that can occur, is near.
 constexpr double kNearly = 1 - 0x1p-20;
 
-constexpr std::size_t kNodesBetweenCalls = 1 << 16;
+constexpr std::size_t kWorkBetweenQuestions = 1 << 16;
 
 }  // namespace
 
@@ -40,25 +40,34 @@ NodeSelection::NodeSelection(Index nodes, const TwinNodes& twins, ConflictRule r
       considered_(std::move(considered)),
       states_(nodes, State::kFree) {}
 
-void NodeSelection::force(std::span<const Index> nodes) {
+bool NodeSelection::force(std::span<const Index> nodes, const KeepGoing& keep_going) {
   for (const Index v : nodes) mark_selected(v);
   for (const Index v : nodes) {
+    if (!goes_on(keep_going)) return false;
     pool_.clear();
     find_conflicts(v);
     if (considered_) considered_(v);
     invalidate_conflicts(0);
   }
+  return true;
 }
 
 bool NodeSelection::select(std::span<const Index> nodes, std::span<const std::uint64_t> keys,
-                           const std::function<bool()>& keep_going) {
+                           const KeepGoing& keep_going) {
   for (const Index v : nodes)
     if (states_[v] == State::kFree) states_[v] = State::kCandidate;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (i % kNodesBetweenCalls == 0 && !keep_going()) return false;
-    if (states_[nodes[i]] == State::kCandidate) decide(nodes[i], keys);
+  work_ = kWorkBetweenQuestions;
+  for (const Index v : nodes) {
+    if (!goes_on(keep_going)) return false;
+    if (states_[v] == State::kCandidate) decide(v, keys);
   }
   return true;
+}
+
+bool NodeSelection::goes_on(const KeepGoing& keep_going) {
+  if (++work_ <= kWorkBetweenQuestions) return true;
+  work_ = 0;
+  return !keep_going || keep_going();
 }
 
 // An explicit stack in place of recursion: the top waits for nobody, or for the one that comes on
@@ -137,7 +146,9 @@ std::uint64_t NodeSelection::key_of(Index v, std::span<const std::uint64_t> keys
 }
 
 void NodeSelection::find_conflicts(Index v) {
+  const std::size_t before = pool_.size();
   twins_.for_each(v, [&](Index w) { rule_(w, pool_); });
+  work_ += pool_.size() - before;
 }
 
 void NodeSelection::mark_selected(Index v) {

@@ -52,9 +52,13 @@ class NodeSelection {
   /// Neither selected nor invalid.
   bool is_free(Index v) const { return states_[v] <= State::kCandidate; }
 
+  /// Asked now and then, after so much work that an answer costs nothing beside it; false to stop,
+  /// with the choice unfinished. Empty: nobody is asked.
+  using KeepGoing = std::function<bool()>;
+
   /// Selects nodes whatever they conflict with, then makes all others in conflict with them
-  /// invalid (CHOICES 8).
-  void force(std::span<const Index> nodes);
+  /// invalid (CHOICES 8). Returns: false when told to stop.
+  bool force(std::span<const Index> nodes, const KeepGoing& keep_going = {});
 
   /// Considers nodes in ascending order of their keys: one that is free and in conflict with no
   /// selected node is selected, and makes those in conflict with it invalid. No node that was
@@ -64,10 +68,9 @@ class NodeSelection {
   /// come before it, and theirs on others near by; so the nodes are taken as they lie in memory,
   /// and each is decided as soon as those before it are.
   /// keys: one a node of the mesh, all different, or kByNumber; twins come with the lower of
-  /// theirs. keep_going: asked now and then; false to stop, with the choice unfinished. Returns:
-  /// false when told to stop.
+  /// theirs. Returns: false when told to stop.
   bool select(std::span<const Index> nodes, std::span<const std::uint64_t> keys,
-              const std::function<bool()>& keep_going);
+              const KeepGoing& keep_going);
 
   /// Makes v invalid unless it is selected.
   void invalidate(Index v);
@@ -95,6 +98,7 @@ class NodeSelection {
   void find_conflicts(Index v);
   void mark_selected(Index v);
   void invalidate_conflicts(std::size_t conflicts);
+  bool goes_on(const KeepGoing& keep_going);
 
   const TwinNodes& twins_;
   ConflictRule rule_;
@@ -102,6 +106,7 @@ class NodeSelection {
   std::vector<State> states_;
   std::vector<Waiting> waiting_;
   std::vector<Conflict> pool_;
+  std::size_t work_ = 0;  // conflicts looked at since keep_going was asked
 };
 
 }  // namespace wellspaced

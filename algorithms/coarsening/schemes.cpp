@@ -77,6 +77,7 @@ class SchemeRun {
   Skeleton skeleton_;
   Hierarchy hierarchy_;
   std::size_t steps_ = 0;
+  bool stopped_ = false;
 };
 
 Result<CoarseningStep> SchemeRun::step(const SourceMesh& source, const StepRequest& request) {
@@ -85,7 +86,8 @@ Result<CoarseningStep> SchemeRun::step(const SourceMesh& source, const StepReque
   const std::size_t total = nodes_of(hierarchy_.levels[0]);
   const std::size_t done = total - nodes_of(hierarchy_.levels.back());
   auto built = coarsen_level(source, within, options_, [&](std::string_view phase) {
-    return report(options_.progress, phase, done, total);
+    stopped_ = stopped_ || !report(options_.progress, phase, done, total);
+    return !stopped_;
   });
   ++steps_;
   if (built) built->level.step = steps_;

@@ -14,16 +14,17 @@ namespace wellspaced {
 namespace {
 
 // f_{g,C,P} in the metric of the options.
-std::vector<double> cone_envelope(const SourceMesh& source, double factor, SpacingMetric metric) {
+std::vector<double> cone_envelope(const SourceMesh& source, double factor, SpacingMetric metric,
+                                  const Progress& progress) {
   const std::span<const double> g = source.level.spacing;
   const Graph& graph = source.skeleton.graph;
   switch (metric) {
     case SpacingMetric::kGraph:
-      return coarsened_spacing(graph, g, factor);
+      return coarsened_spacing(graph, g, factor, progress);
     case SpacingMetric::kEuclidean:
-      return euclidean_coarsened_spacing(source.level.mesh.points, g, factor);
+      return euclidean_coarsened_spacing(source.level.mesh.points, g, factor, progress);
     case SpacingMetric::kGeodesic:
-      return geodesic_coarsened_spacing(*source.visibility, graph, g, factor);
+      return geodesic_coarsened_spacing(*source.visibility, graph, g, factor, progress);
   }
   return {};
 }
@@ -35,7 +36,7 @@ std::vector<double> uniform_spacing(std::span<const double> g, double factor) {
 }
 
 std::vector<double> without_limit(const SourceMesh& source, double factor,
-                                  const CoarseningOptions& options) {
+                                  const CoarseningOptions& options, const Progress& progress) {
   const std::span<const double> g = source.level.spacing;
   switch (options.method) {
     case CoarseningMethod::kThreshold:
@@ -43,7 +44,7 @@ std::vector<double> without_limit(const SourceMesh& source, double factor,
     case CoarseningMethod::kQuasiUniform:
       return uniform_spacing(g, factor);
     default:
-      return cone_envelope(source, factor, options.metric);
+      return cone_envelope(source, factor, options.metric, progress);
   }
 }
 
@@ -68,18 +69,18 @@ SourceMesh source_mesh(const Level& level, Skeleton skeleton, std::span<const do
 }
 
 std::vector<double> input_spacing(const TriangleMesh& mesh, const Graph& graph,
-                                  const CoarseningOptions& options) {
+                                  const CoarseningOptions& options, const Progress& progress) {
   if (options.spacing) return *options.spacing;
   const bool is_of_chapter_6 = options.method == CoarseningMethod::kThreshold ||
                                options.method == CoarseningMethod::kQuasiUniform;
-  if (is_of_chapter_6) return nearest_neighbor_spacing(mesh.points);
-  if (uses_visibility(options)) return scaled(nearest_neighbor_spacing(mesh.points), 0.5);
+  if (is_of_chapter_6) return nearest_neighbor_spacing(mesh.points, progress);
+  if (uses_visibility(options)) return scaled(nearest_neighbor_spacing(mesh.points, progress), 0.5);
   return uses_graph(options) ? mesh_spacing(graph) : mesh_spacing(mesh);
 }
 
 std::vector<double> coarsened(const SourceMesh& source, double factor,
-                              const CoarseningOptions& options) {
-  std::vector<double> f = without_limit(source, factor, options);
+                              const CoarseningOptions& options, const Progress& progress) {
+  std::vector<double> f = without_limit(source, factor, options, progress);
   for (std::size_t v = 0; v < source.limit.size(); ++v) f[v] = std::min(f[v], source.limit[v]);
   return f;
 }

@@ -36,13 +36,13 @@ bool uses_graph(const CoarseningOptions& options);
 
 /// The spacing g that an input mesh has: half its shortest edges in the graph metric, half NN in
 /// the others; for the methods of chapter 6 NN; or what the options give.
-/// graph: of the mesh; may be empty where uses_graph() denies it.
+/// graph: of the mesh; may be empty where uses_graph() denies it. progress: phase "spacing".
 std::vector<double> input_spacing(const TriangleMesh& mesh, const Graph& graph,
-                                  const CoarseningOptions& options);
+                                  const CoarseningOptions& options, const Progress& progress = {});
 
 /// The coarsened spacing at the nodes of the source: of its own spacing, by a factor C > 0, by the
-/// method's function in the options' metric, at most the limit.
+/// method's function in the options' metric, at most the limit. progress: of any phase.
 std::vector<double> coarsened(const SourceMesh& source, double factor,
-                              const CoarseningOptions& options);
+                              const CoarseningOptions& options, const Progress& progress = {});
 
 }  // namespace wellspaced

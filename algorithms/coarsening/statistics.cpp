@@ -43,9 +43,12 @@ std::optional<double> largest_deg(const AngleRange& one, const AngleRange& other
   return arccotangent_deg(std::min(one.smallest_cotangent, other.smallest_cotangent));
 }
 
-std::optional<MeanAndMax> intersection_of(const Level& level, const Level& finer) {
+std::optional<MeanAndMax> intersection_of(const Level& level, const Level& finer,
+                                          ProgressParts& progress, std::size_t number) {
   if (level.mesh.triangles.empty() || finer.mesh.triangles.empty()) return std::nullopt;
-  const auto counts = audit::count_intersections(finer.mesh, level.mesh, level.parent);
+  const auto counts =
+      audit::count_intersections(finer.mesh, level.mesh, level.parent, progress.part(number));
+  if (progress.stopped()) return std::nullopt;
   return MeanAndMax{counts.mean_per_coarse(), counts.max_per_coarse()};
 }
 
@@ -103,12 +106,12 @@ LevelStatistics mesh_statistics(const TriangleMesh& mesh) {
 std::vector<LevelStatistics> hierarchy_statistics(const Hierarchy& hierarchy,
                                                   const Progress& progress) {
   std::vector<LevelStatistics> rows;
-  bool counts = true;
+  ProgressParts parts(progress, "measure", hierarchy.levels.size());
   for (const Level& level : hierarchy.levels) {
     LevelStatistics row = mesh_statistics(level.mesh);
-    counts = counts && report(progress, "measure", rows.size(), hierarchy.levels.size());
-    if (counts && !rows.empty())
-      row.intersection = intersection_of(level, hierarchy.levels[rows.size() - 1]);
+    const std::size_t k = rows.size();
+    if (parts.go_on(k) && k > 0)
+      row.intersection = intersection_of(level, hierarchy.levels[k - 1], parts, k);
     if (level.work) add_work(*level.work, row);
     rows.push_back(row);
   }

@@ -21,10 +21,12 @@ std::vector<Index> by_ascending_value(std::span<const double> values) {
 // the lowest nowhere, and none after it is lower at its apex.
 EuclideanCoarseningFunction::EuclideanCoarseningFunction(std::span<const Point2> points,
                                                          std::span<const double> spacing,
-                                                         double factor)
+                                                         double factor, const Progress& progress)
     : values_(scaled(spacing, factor)),
       tree_(points, std::vector<double>(points.size(), std::numeric_limits<double>::infinity())) {
+  ProgressMeter meter(progress, "spacing", points.size(), 1 << 12);
   for (const Index v : by_ascending_value(values_)) {
+    if (!meter.step()) return;
     const Index q = tree_.nearest(points[v], values_[v], [](Index) { return true; });
     const double lowest = q == kNoIndex ? values_[v] : weighted_distance(tree_.site(q), points[v]);
     if (lowest < values_[v])
@@ -41,8 +43,9 @@ double EuclideanCoarseningFunction::operator()(Point2 x) const {
 }
 
 std::vector<double> euclidean_coarsened_spacing(std::span<const Point2> points,
-                                                std::span<const double> spacing, double factor) {
-  return EuclideanCoarseningFunction(points, spacing, factor).at_points();
+                                                std::span<const double> spacing, double factor,
+                                                const Progress& progress) {
+  return EuclideanCoarseningFunction(points, spacing, factor, progress).at_points();
 }
 
 }  // namespace wellspaced

@@ -6,6 +6,7 @@
 
 #include "wellspaced/algorithms/spacing/site_tree.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -15,11 +16,12 @@ namespace wellspaced {
 class EuclideanCoarseningFunction {
  public:
   /// spacing: g, one value >= 0 a point; infinite where g says nothing. factor: C > 0.
+  /// progress: phase "spacing", in points.
   /// Requires: finite points, at most kMaxOrderedPoints.
   /// Cost: O(n log n), and the queries, one a point, of the cones that are lowest at their own
   /// apex: the others are the lowest nowhere.
   EuclideanCoarseningFunction(std::span<const Point2> points, std::span<const double> spacing,
-                              double factor);
+                              double factor, const Progress& progress = {});
 
   /// f(x). The cone is chosen exactly, its value within 3 units in the last place. Infinite where
   /// no cone has a finite value. Cost: that of SiteTree::nearest: O(log n) where few cones are
@@ -40,6 +42,7 @@ class EuclideanCoarseningFunction {
 
 /// f_{g,C,P} at the points of P. See EuclideanCoarseningFunction.
 std::vector<double> euclidean_coarsened_spacing(std::span<const Point2> points,
-                                                std::span<const double> spacing, double factor);
+                                                std::span<const double> spacing, double factor,
+                                                const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -40,13 +40,15 @@ std::vector<BoundaryNode> boundary_nodes(const TriangleMesh& mesh, const Triangl
 GeodesicCoarseningFunction::GeodesicCoarseningFunction(const Visibility& visibility,
                                                        const Graph& graph,
                                                        std::span<const double> spacing,
-                                                       double factor)
+                                                       double factor, const Progress& progress)
     : visibility_(visibility),
       own_(scaled(spacing, factor)),
       values_(coarsened_spacing(graph, spacing, factor)),
       cones_({}) {
   const std::vector<std::uint8_t> is_bend = bends();
-  spread_cones(is_bend);
+  ProgressMeter meter(progress, "spacing", 0);
+  spread_cones(is_bend, meter);
+  if (meter.stopped()) return;
   cones_ = SiteTree(visibility.mesh().points, weights_of_sources(is_bend));
 }
 
@@ -74,7 +76,8 @@ std::vector<std::uint8_t> GeodesicCoarseningFunction::bends() const {
 
 // A cone is lowest at a point behind an edge only if it is so where the line of sight crosses the
 // edge: there no higher than a path from either end.
-void GeodesicCoarseningFunction::spread_cones(std::span<const std::uint8_t> is_bend) {
+void GeodesicCoarseningFunction::spread_cones(std::span<const std::uint8_t> is_bend,
+                                              ProgressMeter& meter) {
   const std::vector<Point2>& points = visibility_.mesh().points;
   std::vector<std::pair<double, Index>> queue;
   const auto push = [&](Index v) {
@@ -84,7 +87,7 @@ void GeodesicCoarseningFunction::spread_cones(std::span<const std::uint8_t> is_b
   for (Index v = 0; v < values_.size(); ++v)
     if (is_bend[v] || values_[v] == own_[v]) push(v);
   SightCones sight(visibility_);
-  while (!queue.empty()) {
+  while (!queue.empty() && meter.step()) {
     std::pop_heap(queue.begin(), queue.end(), std::greater<>());
     const auto [weight, q] = queue.back();
     queue.pop_back();
@@ -97,6 +100,7 @@ void GeodesicCoarseningFunction::spread_cones(std::span<const std::uint8_t> is_b
       return height(b) < values_[a] + length && height(a) < values_[b] + length;
     };
     sight.spread(q, may_be_lowest, [&](Index v) {
+      meter.step();
       if (!(height(v) < values_[v])) return;
       values_[v] = height(v);
       if (is_bend[v]) push(v);
@@ -115,8 +119,9 @@ std::vector<double> GeodesicCoarseningFunction::weights_of_sources(
 }
 
 std::vector<double> geodesic_coarsened_spacing(const Visibility& visibility, const Graph& graph,
-                                               std::span<const double> spacing, double factor) {
-  return GeodesicCoarseningFunction(visibility, graph, spacing, factor).at_nodes();
+                                               std::span<const double> spacing, double factor,
+                                               const Progress& progress) {
+  return GeodesicCoarseningFunction(visibility, graph, spacing, factor, progress).at_nodes();
 }
 
 }  // namespace wellspaced

@@ -9,6 +9,7 @@
 #include "wellspaced/algorithms/spacing/site_tree.hpp"
 #include "wellspaced/kernel/graph.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -23,11 +24,13 @@ namespace wellspaced {
 class GeodesicCoarseningFunction {
  public:
   /// graph: of the mesh. spacing: g, one value >= 0 a node. factor: C > 0.
+  /// progress: phase "spacing", in nodes seen; how many there will be is not known.
   /// Requires: the Visibility outlives the function.
   /// Cost: O(k log k), k >= n: for each cone the triangles where it comes out lowest, by what is
   /// known when its turn comes, and those around them.
   GeodesicCoarseningFunction(const Visibility& visibility, const Graph& graph,
-                             std::span<const double> spacing, double factor);
+                             std::span<const double> spacing, double factor,
+                             const Progress& progress = {});
 
   /// f at the nodes; at a node in no triangle it is that of the graph metric.
   const std::vector<double>& at_nodes() const { return values_; }
@@ -38,7 +41,7 @@ class GeodesicCoarseningFunction {
 
  private:
   std::vector<std::uint8_t> bends() const;
-  void spread_cones(std::span<const std::uint8_t> is_bend);
+  void spread_cones(std::span<const std::uint8_t> is_bend, ProgressMeter& meter);
   std::vector<double> weights_of_sources(std::span<const std::uint8_t> is_bend) const;
 
   const Visibility& visibility_;
@@ -49,6 +52,7 @@ class GeodesicCoarseningFunction {
 
 /// f_{g,C,P} at the nodes. See GeodesicCoarseningFunction.
 std::vector<double> geodesic_coarsened_spacing(const Visibility& visibility, const Graph& graph,
-                                               std::span<const double> spacing, double factor);
+                                               std::span<const double> spacing, double factor,
+                                               const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -40,10 +40,10 @@ std::vector<double> mesh_spacing(const TriangleMesh& mesh) {
 }
 
 std::vector<double> coarsened_spacing(const Graph& graph, std::span<const double> spacing,
-                                      double factor) {
+                                      double factor, const Progress& progress) {
   std::vector<double> start(spacing.begin(), spacing.end());
   for (double& value : start) value *= factor;
-  return shortest_distances(graph, start);
+  return shortest_distances(graph, start, progress);
 }
 
 }  // namespace wellspaced

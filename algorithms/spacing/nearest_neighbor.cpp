@@ -20,9 +20,11 @@ Index NearestNeighborFunction::neighbor_of(Index v) const {
   return nearest_elsewhere(p, p);
 }
 
-std::vector<double> NearestNeighborFunction::at_points() const {
+std::vector<double> NearestNeighborFunction::at_points(const Progress& progress) const {
   std::vector<double> values(tree_.size(), std::numeric_limits<double>::infinity());
+  ProgressMeter meter(progress, "spacing", tree_.size(), 1 << 12);
   tree_.for_each_along_curve([&](Index v) {
+    if (!meter.step()) return;
     const Index neighbor = neighbor_of(v);
     if (neighbor != kNoIndex) values[v] = distance(tree_.site(v).place, tree_.site(neighbor).place);
   });
@@ -34,8 +36,9 @@ Index NearestNeighborFunction::nearest_elsewhere(Point2 x, Point2 excluded) cons
                        [&](Index i) { return tree_.site(i).place != excluded; });
 }
 
-std::vector<double> nearest_neighbor_spacing(std::span<const Point2> points) {
-  return NearestNeighborFunction(points).at_points();
+std::vector<double> nearest_neighbor_spacing(std::span<const Point2> points,
+                                             const Progress& progress) {
+  return NearestNeighborFunction(points).at_points(progress);
 }
 
 }  // namespace wellspaced

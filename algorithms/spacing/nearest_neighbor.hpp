@@ -6,6 +6,7 @@
 
 #include "wellspaced/algorithms/spacing/site_tree.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -27,8 +28,8 @@ class NearestNeighborFunction {
   /// The nearest point to point v that lies elsewhere, the lowest of several; kNoIndex if none.
   Index neighbor_of(Index v) const;
 
-  /// NN at the points of the set.
-  std::vector<double> at_points() const;
+  /// NN at the points of the set. progress: phase "spacing", in points.
+  std::vector<double> at_points(const Progress& progress = {}) const;
 
  private:
   Index nearest_elsewhere(Point2 x, Point2 excluded) const;
@@ -37,6 +38,7 @@ class NearestNeighborFunction {
 };
 
 /// NN at the points of the set. See NearestNeighborFunction.
-std::vector<double> nearest_neighbor_spacing(std::span<const Point2> points);
+std::vector<double> nearest_neighbor_spacing(std::span<const Point2> points,
+                                             const Progress& progress = {});
 
 }  // namespace wellspaced

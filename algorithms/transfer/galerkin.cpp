@@ -31,12 +31,14 @@ SparsityPattern operator_pattern(const TriangleMesh& mesh) {
   return pattern;
 }
 
-SparsityPattern galerkin_pattern(const SparsityPattern& a, const SparsityPattern& p) {
+SparsityPattern galerkin_pattern(const SparsityPattern& a, const SparsityPattern& p,
+                                 const Progress& progress) {
   const SparsityPattern restriction = transposed(p);
   SparsityPattern product;
   product.columns = p.columns;
   std::vector<Index> seen(p.columns, kNoIndex), seen_fine(p.rows(), kNoIndex);
-  for (Index i = 0; i < p.columns; ++i) {
+  ProgressMeter meter(progress, "measure", p.columns, 1 << 12);
+  for (Index i = 0; i < p.columns && meter.step(); ++i) {
     for (const Index u : restriction.row(i))
       for (const Index v : a.row(u)) {
         if (seen_fine[v] == i) continue;
@@ -54,11 +56,13 @@ SparsityPattern galerkin_pattern(const SparsityPattern& a, const SparsityPattern
 }
 
 std::vector<OperatorSize> operator_sizes(const TriangleMesh& finest,
-                                         std::span<const Transfer> transfers) {
+                                         std::span<const Transfer> transfers,
+                                         const Progress& progress) {
   SparsityPattern a = operator_pattern(finest);
   std::vector<OperatorSize> sizes{size_of(a)};
-  for (const Transfer& transfer : transfers) {
-    a = galerkin_pattern(a, transfer.prolongation);
+  ProgressParts parts(progress, "measure", transfers.size());
+  for (std::size_t k = 0; k < transfers.size() && parts.go_on(k); ++k) {
+    a = galerkin_pattern(a, transfers[k].prolongation, parts.part(k));
     sizes.push_back(size_of(a));
   }
   return sizes;

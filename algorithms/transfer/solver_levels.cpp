@@ -30,14 +30,15 @@ double mesh_perimeter(const TriangleMesh& mesh) {
 double part_of(double part, double whole) { return whole > 0 ? part / whole : 1; }
 
 void describe_step(const Level& finer, const Level& coarser, const Transfer& transfer,
-                   SolverLevel& level) {
+                   const Progress& progress, SolverLevel& level) {
   level.nodes_dropped = finer.mesh.points.size() - coarser.mesh.points.size();
   level.nodes_displaced = transfer.displaced.size();
   for (const DisplacedNode& node : transfer.displaced)
     level.displacement_max = std::max(level.displacement_max, node.distance);
   if (!finer.mesh.triangles.empty() && !coarser.mesh.triangles.empty())
     level.intersection_max =
-        audit::count_intersections(finer.mesh, coarser.mesh, coarser.parent).max_per_coarse();
+        audit::count_intersections(finer.mesh, coarser.mesh, coarser.parent, progress)
+            .max_per_coarse();
 }
 
 Error preparation_cancelled() {
@@ -49,25 +50,29 @@ Error preparation_cancelled() {
 Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy, const Progress& progress) {
   SolverHierarchy solver;
   const std::size_t levels = hierarchy.levels.size();
+  ProgressParts transfers(progress, "transfer", levels - 1);
   for (std::size_t k = 0; k + 1 < levels; ++k) {
-    if (!report(progress, "transfer", k, levels)) return preparation_cancelled();
-    auto transfer = transfer_between(hierarchy.levels[k], hierarchy.levels[k + 1]);
+    auto transfer =
+        transfer_between(hierarchy.levels[k], hierarchy.levels[k + 1], transfers.part(k));
     if (!transfer) return transfer.error();
     solver.transfers.push_back(std::move(*transfer));
   }
-  if (!report(progress, "measure", 0, levels)) return preparation_cancelled();
+  ProgressParts parts(progress, "measure", levels);
+  if (!parts.go_on(0)) return preparation_cancelled();
   const TriangleMesh& finest = hierarchy.levels[0].mesh;
-  const std::vector<OperatorSize> sizes = operator_sizes(finest, solver.transfers);
+  const std::vector<OperatorSize> sizes = operator_sizes(finest, solver.transfers, parts.part(0));
+  if (parts.stopped()) return preparation_cancelled();
   const double area = mesh_area(finest), perimeter = mesh_perimeter(finest);
   double nodes = 0;
   for (std::size_t k = 0; k < levels; ++k) {
-    if (!report(progress, "measure", k, levels)) return preparation_cancelled();
     const Level& level = hierarchy.levels[k];
     SolverLevel row;
     row.galerkin = sizes[k];
     row.area_kept = part_of(mesh_area(level.mesh), area);
     row.perimeter_kept = part_of(mesh_perimeter(level.mesh), perimeter);
-    if (k > 0) describe_step(hierarchy.levels[k - 1], level, solver.transfers[k - 1], row);
+    if (k > 0)
+      describe_step(hierarchy.levels[k - 1], level, solver.transfers[k - 1], parts.part(k), row);
+    if (!parts.go_on(k + 1)) return preparation_cancelled();
     solver.levels.push_back(row);
     nodes += static_cast<double>(level.mesh.points.size());
   }

@@ -37,7 +37,7 @@ struct SolverHierarchy {
 };
 
 /// The transfers of a hierarchy, and what comes of them.
-/// progress: phases "transfer" and "measure", at each level.
+/// progress: phases "transfer" and "measure".
 /// Requires: as `coarsen` makes hierarchies. Errors: as transfer_between(); kCancelled.
 /// Cost: that of the transfers, of counting intersections and of operator_sizes().
 Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy,

@@ -240,7 +240,7 @@ class Detours {
   bool finds_greedily(Index from, Index to, double limit) const {
     double length = 0;
     Index at = from;
-    for (int steps = 0; at != to && steps < 16; ++steps) {
+    for (int steps = 0; at != to && steps < 4096; ++steps) {
       double shortest = std::numeric_limits<double>::infinity(), ahead = 0;
       Index next = kNoIndex;
       for (const Graph::Arc& arc : graph_.arcs_of(at)) {
@@ -269,9 +269,11 @@ class Detours {
   std::optional<LocalSearch> search_;  // few need it
 };
 
+Error transfer_cancelled() { return {ErrorCode::kCancelled, "the transfer was cancelled"}; }
+
 class TransferBuilder {
  public:
-  TransferBuilder(const Level& finer, const Level& coarser)
+  TransferBuilder(const Level& finer, const Level& coarser, const Progress& progress)
       : finer_(finer.mesh),
         coarser_(coarser),
         corners_(corner_table(finer.mesh.triangles, static_cast<Index>(finer.mesh.points.size()))),
@@ -279,15 +281,17 @@ class TransferBuilder {
         coarse_(coarser.mesh),
         detours_(graph_, finer.mesh.points),
         starts_(finer.mesh.points.size()),
-        stencils_(finer.mesh.points.size()) {}
+        stencils_(finer.mesh.points.size()),
+        meter_(progress, "transfer", finer.mesh.points.size(), 1 << 12) {}
 
   Result<Transfer> build() {
     keep_nodes();
     // In the order of memory; what is found behind it waits.
-    for (Index v = 0; v < starts_.size(); ++v)
+    for (Index v = 0; v < starts_.size() && !meter_.stopped(); ++v)
       if (starts_[v].node != kNoIndex) spread_from(v, v);
-    for (std::size_t next = 0; next < waiting_.size(); ++next)
+    for (std::size_t next = 0; next < waiting_.size() && !meter_.stopped(); ++next)
       spread_from(waiting_[next], static_cast<Index>(starts_.size()));
+    if (meter_.stopped()) return transfer_cancelled();
     const auto unreached = std::ranges::find(starts_, kNoIndex, &Start::node);
     if (unreached != starts_.end()) return unreached_node(unreached - starts_.begin());
     assemble();
@@ -321,6 +325,7 @@ class TransferBuilder {
       if (starts_[arc.target].node != kNoIndex) continue;
       starts_[arc.target] = starts_[v];
       interpolate(arc.target);
+      if (!meter_.step()) return;
       if (arc.target < end) waiting_.push_back(arc.target);
     }
   }
@@ -429,17 +434,20 @@ class TransferBuilder {
   std::vector<Start> starts_;      // one a node of the finer mesh
   std::vector<Stencil> stencils_;  // likewise
   std::vector<Index> waiting_;
+  ProgressMeter meter_;
   Transfer result_;
 };
 
 }  // namespace
 
-Result<Transfer> transfer_between(const Level& finer, const Level& coarser) {
+Result<Transfer> transfer_between(const Level& finer, const Level& coarser,
+                                  const Progress& progress) {
   if (std::ranges::find(coarser.parent, kNoIndex) != coarser.parent.end())
     return Error{ErrorCode::kUsage,
                  "there are no transfers between levels that are not nested (from-finest)",
                  {}};
-  return TransferBuilder(finer, coarser).build();
+  if (!report(progress, "transfer", 0, finer.mesh.points.size())) return transfer_cancelled();
+  return TransferBuilder(finer, coarser, progress).build();
 }
 
 Result<std::vector<Transfer>> transfers_of(const Hierarchy& hierarchy) {

@@ -6,6 +6,7 @@
 #include "wellspaced/algorithms/coarsening/hierarchy.hpp"
 #include "wellspaced/algorithms/transfer/sparse_matrix.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -35,13 +36,15 @@ struct Transfer {
 
 /// Requires: the coarser level's nodes are nodes of the finer one (`parent`), as `coarsen` makes
 ///   them; finite coordinates.
+/// progress: phase "transfer", in nodes of the finer level.
 /// Errors: kUsage where the levels are not nested; kInvalidGeometry where a part of the finer mesh
-/// has no node in the coarser one. Method: from the kept nodes outwards through the finer mesh,
-/// each node starts where a neighbour
+///   has no node in the coarser one; kCancelled.
+/// Method: from the kept nodes outwards through the finer mesh, each node starts where a neighbour
 ///   was found and walks; nothing is searched for.
 /// Cost: O(n) for bounded degrees.
 /// Audit: audit_transfer. See: section 1.2.4.
-Result<Transfer> transfer_between(const Level& finer, const Level& coarser);
+Result<Transfer> transfer_between(const Level& finer, const Level& coarser,
+                                  const Progress& progress = {});
 
 /// All transfers of a hierarchy: entry k is that between levels k and k + 1.
 Result<std::vector<Transfer>> transfers_of(const Hierarchy& hierarchy);

@@ -186,20 +186,23 @@ audit::Report audit_tets(const TetMesh& mesh, const Demands& demands, Session& s
 
 // Judges the spacing of the nodes, if that is asked for.
 template <class Mesh>
-Status add_spacing(const Demands& demands, const Mesh& mesh, audit::Report& report) {
+Status add_spacing(const Demands& demands, const Mesh& mesh, audit::Report& report,
+                   Session& session) {
   if (demands.spacing.empty() || report.check("no_overlap") == nullptr) return Ok{};
   audit::SpacingAuditOptions options;
   options.beta = demands.beta;
+  options.progress = session.progress();
   std::vector<double> values;
   audit::SpacingKind kind = audit::SpacingKind::kNearestNeighbour;
   if (demands.spacing != "nn") {
-    auto column = read_column(demands.spacing, mesh.points.size());
+    auto column = read_column(demands.spacing, mesh.points.size(), session.progress());
     if (!column) return column.error();
     values = std::move(*column);
     options.spacing = values;
     kind = demands.is_packing ? audit::SpacingKind::kLocalFeatureSize : audit::SpacingKind::kGiven;
   }
   audit::audit_spacing(mesh, options, report);
+  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled"};
   audit::compare_with_theorems(mesh, kind, report);
   return Ok{};
 }
@@ -209,24 +212,25 @@ template <class Mesh>
 Result<audit::Report> finish(audit::Report report, const Mesh& mesh, const Demands& demands,
                              Session& session) {
   if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled"};
-  if (Status status = add_spacing(demands, mesh, report); !status) return status.error();
+  if (Status status = add_spacing(demands, mesh, report, session); !status) return status.error();
   if (Status status = apply(demands, report, mesh); !status) return status.error();
   if (Status status = write_picture(demands, mesh, report, session); !status) return status.error();
   return report;
 }
 
 // A point set can be audited for its spacing alone: it gets a mesh.
-Status mesh_points(const std::string& path, const Demands& demands, Geometry& geometry) {
+Status mesh_points(const std::string& path, const Demands& demands, Session& session,
+                   Geometry& geometry) {
   if (demands.spacing.empty())
     return Error{ErrorCode::kUnreadable, {display_name(path), ": holds no mesh to audit"}};
   if (geometry.dimension == 3) {
-    auto mesh = audit::mesh_of_points(geometry.solid.points);
+    auto mesh = audit::mesh_of_points(geometry.solid.points, session.progress());
     if (!mesh) return mesh.error();
     geometry.solid = std::move(*mesh);
     return Ok{};
   }
-  auto mesh =
-      audit::mesh_of_points(geometry.mesh.points, demands.domain ? &*demands.domain : nullptr);
+  auto mesh = audit::mesh_of_points(
+      geometry.mesh.points, demands.domain ? &*demands.domain : nullptr, session.progress());
   if (!mesh) return mesh.error();
   geometry.mesh = std::move(*mesh);
   return Ok{};
@@ -252,7 +256,8 @@ Result<audit::Report> audit_file(const std::string& path, const Demands& given, 
   if (!geometry) return geometry.error();
   for (const std::string& note : geometry->notes) session.note(note);
   if (!geometry->has_cells())
-    if (Status status = mesh_points(path, demands, *geometry); !status) return status.error();
+    if (Status status = mesh_points(path, demands, session, *geometry); !status)
+      return status.error();
   if (Status status = check_dimension(demands, geometry->dimension); !status) return status.error();
   turn_if_needed(*geometry, display_name(path), session);
   if (geometry->dimension == 2)

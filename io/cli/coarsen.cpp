@@ -39,11 +39,15 @@ std::vector<LevelStatistics> measure(const Hierarchy& hierarchy, StatisticsDetai
   return rows;
 }
 
-std::vector<SelectionCheck> check_selections(const Hierarchy& hierarchy, double beta) {
+// Nothing where that is cut short.
+std::vector<SelectionCheck> check_selections(const Hierarchy& hierarchy, double beta,
+                                             const Progress& progress) {
   const Graph graph = mesh_graph(hierarchy.levels[0].mesh);
   std::vector<SelectionCheck> checks;
-  for (std::size_t k = 1; k < hierarchy.levels.size(); ++k)
-    checks.push_back(check_selection(graph, hierarchy.levels[k], beta));
+  ProgressParts parts(progress, "measure", hierarchy.levels.size());
+  for (std::size_t k = 1; k < hierarchy.levels.size() && parts.go_on(k); ++k)
+    checks.push_back(check_selection(graph, hierarchy.levels[k], beta, parts.part(k)));
+  if (parts.stopped()) checks.clear();
   return checks;
 }
 
@@ -73,10 +77,9 @@ void warn_of_angles(const CoarsenRun& run, Session& session) {
               run.options.angle_deg, " degrees on this mesh: its special points ask for so many"}));
 }
 
-// Where that is cut short, what there is of it is dropped, and the run is incomplete.
+// Where that is cut short, what there is of it is dropped.
 Status prepare_for_solver(Session& session, CoarsenRun& run) {
   auto solver = wellspaced::prepare_for_solver(run.hierarchy, session.progress());
-  run.hierarchy.complete = solver.ok();
   if (!solver && solver.error().code != ErrorCode::kCancelled) return solver.error();
   if (!solver) return Ok{};
   run.solver = std::move(*solver);
@@ -106,9 +109,11 @@ Result<CoarsenRun> run_method(const TriangleMesh& mesh, const CoarsenRequest& re
       run.hierarchy.complete ? request.statistics : StatisticsDetail::kNone;
   run.statistics = measure(run.hierarchy, detail, session.progress());
   if (method == CoarseningMethod::kRefinement && detail != StatisticsDetail::kNone)
-    run.selection = check_selections(run.hierarchy, run.options.beta);
+    run.selection = check_selections(run.hierarchy, run.options.beta, session.progress());
   if (request.for_solver && run.hierarchy.complete)
     if (Status status = prepare_for_solver(session, run); !status) return status.error();
+  if (session.stopped())
+    run.hierarchy.complete = false;  // if not levels, something else is missing
   return run;
 }
 

@@ -30,22 +30,35 @@ class VtuWriter {
   template <class T>
   void write_ascii(const std::vector<T>& values);
   template <class T>
-  static std::string encode(const std::vector<T>& values);
+  void write_bytes(const std::vector<T>& values);
+  void pass_on(std::string_view bytes);
   void write_fields(std::string_view element, const std::vector<VtkField>& fields);
 
   TextWriter& out_;
   VtuEncoding encoding_;
   std::uint64_t appended_size_ = 0;
-  std::vector<std::function<std::string()>> appended_;
+  std::vector<std::function<void()>> appended_;
 };
 
+// Their size, then the values, in pieces: of whole groups of three bytes, which base64 does not
+// pad.
 template <class T>
-std::string VtuWriter::encode(const std::vector<T>& values) {
+void VtuWriter::write_bytes(const std::vector<T>& values) {
+  constexpr std::size_t kPiece = 3 << 14;
   std::string bytes;
-  bytes.reserve(8 + values.size() * sizeof(T));
   append_bytes(bytes, std::uint64_t{values.size() * sizeof(T)});
-  for (const T value : values) append_bytes(bytes, value);
-  return bytes;
+  for (const T value : values) {
+    append_bytes(bytes, value);
+    if (bytes.size() < kPiece) continue;
+    pass_on(std::string_view(bytes).substr(0, kPiece));
+    bytes.erase(0, kPiece);
+    if (out_.failed()) return;
+  }
+  pass_on(bytes);
+}
+
+void VtuWriter::pass_on(std::string_view bytes) {
+  encoding_ == VtuEncoding::kBase64 ? out_ << base64(bytes) : out_ << bytes;
 }
 
 template <class T>
@@ -67,12 +80,14 @@ void VtuWriter::write_array(std::string_view name, std::size_t components,
       out_ << "\n</DataArray>\n";
       break;
     case VtuEncoding::kBase64:
-      out_ << " format=\"binary\">\n" << base64(encode(values)) << "\n</DataArray>\n";
+      out_ << " format=\"binary\">\n";
+      write_bytes(values);
+      out_ << "\n</DataArray>\n";
       break;
     case VtuEncoding::kRaw:
       out_ << " format=\"appended\" offset=\"" << appended_size_ << "\"/>\n";
       appended_size_ += 8 + values.size() * sizeof(T);
-      appended_.push_back([&values] { return encode(values); });
+      appended_.push_back([this, &values] { write_bytes(values); });
       break;
   }
 }
@@ -109,7 +124,7 @@ void VtuWriter::write(const VtkGrid& grid) {
   out_ << "</Piece>\n</UnstructuredGrid>\n";
   if (encoding_ == VtuEncoding::kRaw) {
     out_ << "<AppendedData encoding=\"raw\">\n_";
-    for (const auto& array : appended_) out_ << array();
+    for (const auto& write_array_bytes : appended_) write_array_bytes();
     out_ << "\n</AppendedData>\n";
   }
   out_ << "</VTKFile>\n";

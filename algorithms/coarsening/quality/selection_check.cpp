@@ -16,14 +16,15 @@ namespace {
 constexpr double kBeyondRounding = 1 + 0x1p-30;
 
 void check_independence(const Graph& graph, const Level& level, double beta,
-                        SelectionCheck& check) {
+                        const Progress& progress, SelectionCheck& check) {
   std::vector<Index> number(graph.nodes(), kNoIndex);
   for (Index i = 0; i < level.origin.size(); ++i) number[level.origin[i]] = i;
   std::vector<std::uint8_t> is_fixed(level.origin.size(), 0);
   for (const Index i : level.mesh.fixed) is_fixed[i] = 1;
 
   LocalSearch search(graph);
-  for (Index i = 0; i < level.origin.size(); ++i) {
+  ProgressMeter meter(progress, "measure", level.origin.size(), 1 << 10);
+  for (Index i = 0; i < level.origin.size() && meter.step(); ++i) {
     const double f = level.spacing[i], reach = 2 * f / beta;
     for (const Index v :
          search.run(std::array{level.origin[i]}, [=](Index, double d) { return d <= reach; })) {
@@ -60,10 +61,12 @@ void check_maximality(const Graph& graph, const Level& level, double beta, Selec
 
 }  // namespace
 
-SelectionCheck check_selection(const Graph& graph, const Level& level, double beta) {
+SelectionCheck check_selection(const Graph& graph, const Level& level, double beta,
+                               const Progress& progress) {
   SelectionCheck check;
-  check_independence(graph, level, beta, check);
-  check_maximality(graph, level, beta, check);
+  ProgressParts parts(progress, "measure", 2);
+  check_independence(graph, level, beta, parts.part(0), check);
+  if (parts.go_on(1)) check_maximality(graph, level, beta, check);
   return check;
 }
 

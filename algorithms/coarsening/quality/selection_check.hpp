@@ -6,6 +6,7 @@
 
 #include "wellspaced/algorithms/coarsening/hierarchy.hpp"
 #include "wellspaced/kernel/graph.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -27,9 +28,11 @@ struct SelectionCheck {
 /// Checks a level that was selected from the finest mesh. graph: of that mesh. level: its origin
 /// and spacing are used, and its fixed points. A pair is in conflict only beyond what the rounding
 /// of sums can explain.
+/// progress: phase "measure".
 /// Cost: two shortest-path computations in the finest mesh, and the nodes within 2 f / beta of each
 /// node of the level.
 /// See: Definitions 2.2.3 and 5.3.4; section 5.3.3.
-SelectionCheck check_selection(const Graph& graph, const Level& level, double beta);
+SelectionCheck check_selection(const Graph& graph, const Level& level, double beta,
+                               const Progress& progress = {});
 
 }  // namespace wellspaced
