@@ -4,9 +4,9 @@
     limits_table.py PROGRAM [WORD...]
 
 Runs each command that has all WORDs in its name without a limit, then with several, and prints the
-seconds and megabytes that it took beside those it was given. What is more than a tenth over, or
-ends otherwise than with exit code 5 and one line, is marked. The inputs are kept in
-$TMPDIR/wellspaced_limits and made where they are missing.
+seconds and megabytes that it took beside those it was given. What is more than a tenth over, stops
+with a tenth to spare, or ends otherwise than with exit code 5 and one line, is marked. The inputs
+are kept in $TMPDIR/wellspaced_limits and made where they are missing.
 """
 import os
 import shutil
@@ -16,7 +16,7 @@ import tempfile
 import time
 
 SECONDS = (1, 2, 5)
-PARTS_OF_PEAK = (0.25, 0.5, 0.75)
+PARTS_OF_PEAK = (0.25, 0.5, 0.75, 1.1)
 SLACK = 1.1
 LONGEST = 120  # seconds without a limit
 
@@ -46,14 +46,14 @@ COMMANDS = {
     "coarsen quality": "coarsen grid --profile quality -o {out}/levels",
     "coarsen threshold": "coarsen grid --method threshold -o {out}/levels",
     "coarsen quasi-uniform": "coarsen grid --method quasi-uniform -o {out}/levels",
-    "coarsen quadtree": "coarsen mesh --method quadtree -o {out}/levels",
-    "coarsen from-finest": "coarsen mesh --scheme from-finest -o {out}/levels",
-    "coarsen coarse-to-fine": "coarsen mesh --scheme coarse-to-fine -o {out}/levels",
-    "coarsen euclidean": "coarsen mesh --metric euclidean -o {out}/levels",
-    "coarsen geodesic": "coarsen mesh --metric geodesic -o {out}/levels",
-    "coarsen special-lfs": "coarsen mesh --special-lfs -o {out}/levels",
-    "coarsen full": "coarsen mesh --stats full --report {out}/x.html -o {out}/levels",
-    "coarsen matrices": "coarsen mesh --transfers mtx,petsc,npz -o {out}/levels",
+    "coarsen quadtree": "coarsen grid --method quadtree -o {out}/levels",
+    "coarsen from-finest": "coarsen grid --scheme from-finest -o {out}/levels",
+    "coarsen coarse-to-fine": "coarsen grid --scheme coarse-to-fine -o {out}/levels",
+    "coarsen euclidean": "coarsen grid --metric euclidean -o {out}/levels",
+    "coarsen geodesic": "coarsen grid --metric geodesic -o {out}/levels",
+    "coarsen special-lfs": "coarsen grid --special-lfs -o {out}/levels",
+    "coarsen full": "coarsen grid --stats full --report {out}/x.html -o {out}/levels",
+    "coarsen matrices": "coarsen grid --transfers mtx,petsc,npz -o {out}/levels",
     "audit": "audit mesh",
     "audit spacing": "audit mesh --spacing nn",
     "audit space": "audit solid --spacing nn",
@@ -97,8 +97,10 @@ def make_inputs(program):
             subprocess.run([program, *command.split(), "--quiet"], check=True)
 
 
-def verdict(used, given, code, line, half_written):
+def verdict(used, given, needed, code, line, half_written):
     faults = []
+    if code == 5 and SLACK * needed <= given:
+        faults.append("STOPPED")
     if used > SLACK * given:
         faults.append("OVER")
     if code not in (0, 1, 5) or (code == 5 and not line):
@@ -108,10 +110,10 @@ def verdict(used, given, code, line, half_written):
     return " ".join(faults)
 
 
-def print_row(name, limit, unit, used, rest):
+def print_row(name, limit, unit, used, needed, rest):
     code, line, half_written = rest
     print(f"{name:24} {limit:8.4g} {unit:2} {used:9.3f} {used / limit:6.2f}  {code}  "
-          f"{verdict(used, limit, code, line, half_written)}  {line[:90]}", flush=True)
+          f"{verdict(used, limit, needed, code, line, half_written)}  {line[:90]}", flush=True)
 
 
 def table(program, name, command):
@@ -119,11 +121,11 @@ def table(program, name, command):
     print(f"{name:24}     none    {seconds:8.2f} s {megabytes:.0f} MB  {code}  {line[:90]}", flush=True)
     for limit in SECONDS:
         used, _, *rest = run_command(program, command, "--time-limit", str(limit))
-        print_row(name, limit, "s", used, rest)
+        print_row(name, limit, "s", used, seconds, rest)
     for part in PARTS_OF_PEAK:
         limit = part * megabytes
         _, used, *rest = run_command(program, command, "--max-memory", f"{limit:.1f}")
-        print_row(name, limit, "MB", used, rest)
+        print_row(name, limit, "MB", used, megabytes, rest)
 
 
 def main():

@@ -28,7 +28,7 @@ void audit_in_local_order(const TetMesh& mesh, const TetAuditOptions& options, R
   if (options.domain != nullptr)
     audit_tet_domain(mesh, faces, {*options.domain, options.allowance}, report);
   if (!go_on(5)) return;
-  audit_tet_delaunay(mesh, faces, orientation, report);
+  audit_tet_delaunay(mesh, faces, orientation, parts.part(5), report);
   if (!go_on(6)) return;
   audit_tet_shape(mesh, report);
 }

@@ -9,15 +9,18 @@
 namespace wellspaced::audit {
 namespace {
 
+constexpr std::uint64_t kFacesAQuestion = 1 << 10;  // each may be decided by integers
+
 class TetDelaunayAudit {
  public:
   TetDelaunayAudit(const TetMesh& mesh, const TetFaces& faces,
                    const std::vector<std::int8_t>& orientation)
       : mesh_(mesh), faces_(faces), orientation_(orientation) {}
 
-  void audit_circumspheres(Report& report) const {
+  void audit_circumspheres(const Progress& progress, Report& report) const {
     Check constrained = face_check("constrained_delaunay"), all = face_check("delaunay");
-    for (Index f = 0; f < faces_.twin.size(); ++f) {
+    ProgressMeter meter(progress, "audit", faces_.twin.size(), kFacesAQuestion);
+    for (Index f = 0; f < faces_.twin.size() && meter.step(); ++f) {
       const Index twin = faces_.twin[f];
       if (twin == kNoIndex || twin < f || !is_positive(f) || !is_positive(twin)) continue;
       if (!fails(f)) continue;
@@ -28,9 +31,10 @@ class TetDelaunayAudit {
     report.checks.push_back(std::move(all));
   }
 
-  void audit_smallest_spheres(Report& report) const {
+  void audit_smallest_spheres(const Progress& progress, Report& report) const {
     Check all = face_check("gabriel"), boundary = face_check("boundary_gabriel");
-    for (Index f = 0; f < faces_.twin.size(); ++f) {
+    ProgressMeter meter(progress, "audit", faces_.twin.size(), kFacesAQuestion);
+    for (Index f = 0; f < faces_.twin.size() && meter.step(); ++f) {
       const Index twin = faces_.twin[f];
       if ((twin != kNoIndex && twin < f) || !is_encroached(f, twin)) continue;
       violate(all, f);
@@ -40,10 +44,11 @@ class TetDelaunayAudit {
     report.checks.push_back(std::move(boundary));
   }
 
-  void audit_circumcentres(Report& report) const {
+  void audit_circumcentres(const Progress& progress, Report& report) const {
     Check& check = report.add_check("circumcentres_inside", Item::kTet, false);
     std::uint64_t budget = 32 * std::uint64_t{mesh_.tets.size()}, undecided = 0;
-    for (Index t = 0; t < mesh_.tets.size(); ++t) {
+    ProgressMeter meter(progress, "audit", mesh_.tets.size(), kFacesAQuestion);
+    for (Index t = 0; t < mesh_.tets.size() && meter.step(); ++t) {
       if (orientation_[t] <= 0) continue;
       const Walk walk = walk_to_circumcentre(t, budget);
       if (walk == Walk::kLeft) check.violate({t});
@@ -115,11 +120,13 @@ class TetDelaunayAudit {
 }  // namespace
 
 void audit_tet_delaunay(const TetMesh& mesh, const TetFaces& faces,
-                        const std::vector<std::int8_t>& orientation, Report& report) {
+                        const std::vector<std::int8_t>& orientation, const Progress& progress,
+                        Report& report) {
   const TetDelaunayAudit audit(mesh, faces, orientation);
-  audit.audit_circumspheres(report);
-  audit.audit_smallest_spheres(report);
-  audit.audit_circumcentres(report);
+  ProgressParts parts(progress, "audit", 3);
+  audit.audit_circumspheres(parts.part(0), report);
+  if (parts.go_on(1)) audit.audit_smallest_spheres(parts.part(1), report);
+  if (parts.go_on(2)) audit.audit_circumcentres(parts.part(2), report);
 }
 
 }  // namespace wellspaced::audit

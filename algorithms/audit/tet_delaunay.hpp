@@ -7,6 +7,7 @@
 #include "wellspaced/algorithms/audit/report.hpp"
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced::audit {
 
@@ -21,9 +22,11 @@ namespace wellspaced::audit {
 ///                         beyond which it lies, never out of the mesh
 /// Faces of tets that are not positive are left out. Measures: circumcentres_undecided, the tets
 ///   whose walk was given up because all walks together took more than 32 steps a tet (if any).
+/// progress: phase "audit".
 /// Requires: audit_tet_syntax passed; faces and orientation are of this mesh.
 /// Cost: linear. See: Definition 2.1.1 and section 4.3.
 void audit_tet_delaunay(const TetMesh& mesh, const TetFaces& faces,
-                        const std::vector<std::int8_t>& orientation, Report& report);
+                        const std::vector<std::int8_t>& orientation, const Progress& progress,
+                        Report& report);
 
 }  // namespace wellspaced::audit

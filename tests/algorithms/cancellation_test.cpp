@@ -70,6 +70,7 @@ CoarseningOptions in_metric(SpacingMetric metric) {
 CoarseningOptions in_scheme(CoarseningScheme scheme) {
   CoarseningOptions options = multigrid_profile();
   options.scheme = scheme;
+  options.max_levels = 4;
   return options;
 }
 

@@ -41,7 +41,8 @@ void check_independence(const Graph& graph, const Level& level, double beta,
 
 // The least f(j) + d(i, j) over the nodes j of the level, for all i; and likewise the least
 // d(i, j) - f(j) / beta, to which a constant is added to keep it above 0.
-void check_maximality(const Graph& graph, const Level& level, double beta, SelectionCheck& check) {
+void check_maximality(const Graph& graph, const Level& level, double beta, ProgressParts& progress,
+                      SelectionCheck& check) {
   if (level.spacing.empty()) return;
   const double most = *std::max_element(level.spacing.begin(), level.spacing.end()) / beta;
   std::vector<double> continued(graph.nodes(), HUGE_VAL), reached(graph.nodes(), HUGE_VAL);
@@ -49,8 +50,10 @@ void check_maximality(const Graph& graph, const Level& level, double beta, Selec
     continued[level.origin[i]] = level.spacing[i];
     reached[level.origin[i]] = most - level.spacing[i] / beta;
   }
-  continued = shortest_distances(graph, continued);
-  reached = shortest_distances(graph, reached);
+  continued = shortest_distances(graph, continued, progress.part(1));
+  if (!progress.go_on(2)) return;
+  reached = shortest_distances(graph, reached, progress.part(2));
+  if (progress.stopped()) return;
   for (Index v = 0; v < graph.nodes(); ++v) {
     if (std::ranges::binary_search(level.origin, v) || !std::isfinite(continued[v])) continue;
     const double ratio = beta * (reached[v] - most) / continued[v];
@@ -64,9 +67,9 @@ void check_maximality(const Graph& graph, const Level& level, double beta, Selec
 SelectionCheck check_selection(const Graph& graph, const Level& level, double beta,
                                const Progress& progress) {
   SelectionCheck check;
-  ProgressParts parts(progress, "measure", 2);
+  ProgressParts parts(progress, "measure", 3);
   check_independence(graph, level, beta, parts.part(0), check);
-  if (parts.go_on(1)) check_maximality(graph, level, beta, check);
+  if (parts.go_on(1)) check_maximality(graph, level, beta, parts, check);
   return check;
 }
 
