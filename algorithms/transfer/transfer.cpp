@@ -236,32 +236,36 @@ class Detours {
   }
 
  private:
-  // Most pairs are joined by a path that goes on to the neighbour of the shortest way ahead.
+  // Most pairs are joined by a path that goes on, of the neighbours that are nearer to its end, to
+  // that of the shortest way ahead.
   bool finds_greedily(Index from, Index to, double limit) const {
-    double length = 0;
-    Index at = from;
-    for (int steps = 0; at != to && steps < 4096; ++steps) {
-      double shortest = std::numeric_limits<double>::infinity(), ahead = 0;
-      Index next = kNoIndex;
+    double length = 0, left = distance(points_[from], points_[to]);
+    for (Index at = from; at != to;) {
+      double shortest = std::numeric_limits<double>::infinity(), left_then = left;
+      const Graph::Arc* next = nullptr;
       for (const Graph::Arc& arc : graph_.arcs_of(at)) {
         const double rest = distance(points_[arc.target], points_[to]);
-        if (!(arc.length + rest < shortest)) continue;
+        if (!(rest < left) || !(arc.length + rest < shortest)) continue;
         shortest = arc.length + rest;
-        ahead = arc.length;
-        next = arc.target;
+        left_then = rest;
+        next = &arc;
       }
-      if (next == kNoIndex || length + shortest > limit) return false;
-      length += ahead;
-      at = next;
+      if (next == nullptr || length + shortest > limit) return false;
+      length += next->length;
+      left = left_then;
+      at = next->target;
     }
-    return at == to;
+    return true;
   }
   bool finds(Index from, Index to, double limit) {
     if (!search_) search_.emplace(graph_);
-    const auto reached = search_->run(std::array{from}, [&](Index v, double d) {
-      return d + distance(points_[v], points_[to]) <= limit;
+    bool found = false;
+    search_->run(std::array{from}, [&](Index v, double d) {
+      if (found || d + distance(points_[v], points_[to]) > limit) return false;
+      found = v == to;
+      return true;
     });
-    return std::ranges::find(reached, to) != reached.end();
+    return found;
   }
 
   const Graph& graph_;
