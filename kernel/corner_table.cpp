@@ -2,18 +2,19 @@
 
 #include <algorithm>
 
+#include "wellspaced/kernel/quantifiers.hpp"
+
 namespace wellspaced {
 namespace {
 
 using TableCorner = CornerTable::Corner;
 
 bool has_next(std::span<const TableCorner> corners, Index node) {
-  return std::any_of(corners.begin(), corners.end(), [=](TableCorner c) { return c.next == node; });
+  return any_of(corners, [=](TableCorner c) { return c.next == node; });
 }
 
 bool has_previous(std::span<const TableCorner> corners, Index node) {
-  return std::any_of(corners.begin(), corners.end(),
-                     [=](TableCorner c) { return c.previous == node; });
+  return any_of(corners, [=](TableCorner c) { return c.previous == node; });
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wellspaced/kernel/distance.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
@@ -11,8 +12,7 @@ namespace {
 using TableCorner = CornerTable::Corner;
 
 bool adjacent(std::span<const TableCorner> corners, Index node) {
-  return std::any_of(corners.begin(), corners.end(),
-                     [=](TableCorner c) { return c.next == node || c.previous == node; });
+  return any_of(corners, [=](TableCorner c) { return c.next == node || c.previous == node; });
 }
 
 // The segments that are no edge of a triangle, in both directions, sorted, each once.

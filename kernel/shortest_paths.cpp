@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wellspaced/kernel/pairing_heap.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/radix_sort.hpp"
 
 namespace wellspaced {
@@ -45,7 +46,7 @@ std::vector<KeyedItem> sorted_seeds(const Graph& graph, std::span<const double> 
   std::vector<KeyedItem> seeds;
   for (Index v = 0; v < graph.nodes(); ++v) {
     const auto arcs = graph.arcs_of(v);
-    const bool lowers = std::any_of(arcs.begin(), arcs.end(), [&](const Graph::Arc& arc) {
+    const bool lowers = any_of(arcs, [&](const Graph::Arc& arc) {
       return distance[v] + arc.length < distance[arc.target];
     });
     if (lowers) seeds.push_back({sort_key(distance[v]), v});

@@ -1,12 +1,12 @@
 // Checks that go through items one by one, or list those found elsewhere.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
 
 #include "wellspaced/algorithms/audit/report.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced::audit {
 
@@ -31,7 +31,7 @@ inline Check& list_violations(Report& report, std::string_view name, Item item,
 /// Whether an element names nodes that exist, and no node twice.
 template <std::size_t N>
 bool in_range(const std::array<Index, N>& nodes, std::size_t count) {
-  return std::all_of(nodes.begin(), nodes.end(), [&](Index v) { return v < count; });
+  return all_of(nodes, [&](Index v) { return v < count; });
 }
 template <std::size_t N>
 bool distinct(const std::array<Index, N>& nodes) {

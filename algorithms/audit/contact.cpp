@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -94,9 +95,8 @@ bool separates(Point3 p, Point3 q, Point3 r, const TetCorners& a, const TetCorne
     if (sign != 0) side_of_a = sign;
   }
   if (side_of_a == 0) return false;  // p, q and r are on one line
-  return std::all_of(b.begin(), b.end(), [&](const Point3& corner) {
-    return orient3d(p, q, r, corner) * side_of_a <= 0;
-  });
+  return all_of(b,
+                [&](const Point3& corner) { return orient3d(p, q, r, corner) * side_of_a <= 0; });
 }
 
 bool a_face_separates(const TetCorners& a, const TetCorners& b) {

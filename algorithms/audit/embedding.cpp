@@ -1,6 +1,5 @@
 #include "wellspaced/algorithms/audit/embedding.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 #include "wellspaced/algorithms/audit/box_tree.hpp"
@@ -8,6 +7,7 @@
 #include "wellspaced/algorithms/audit/triangle_overlap.hpp"
 #include "wellspaced/algorithms/audit/winding.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
@@ -114,10 +114,9 @@ std::vector<std::int8_t> orientations(const TriangleMesh& mesh) {
 }
 
 bool is_clockwise(const TriangleMesh& mesh) {
-  return !mesh.triangles.empty() &&
-         std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-           return orient2d(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]) < 0;
-         });
+  return !mesh.triangles.empty() && all_of(mesh.triangles, [&](const auto& t) {
+    return orient2d(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]) < 0;
+  });
 }
 
 void audit_embedding(const TriangleMesh& mesh, const HalfEdges& half_edges,

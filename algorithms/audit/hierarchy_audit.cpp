@@ -20,6 +20,7 @@
 #include "wellspaced/algorithms/audit/theorems.hpp"
 #include "wellspaced/algorithms/audit/well_spaced.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
@@ -213,8 +214,7 @@ void add_pairs(Check& check, const std::vector<std::array<Index, 2>>& pairs,
 bool has_spacing(const Judged& coarse, const HierarchyAuditOptions& options) {
   const auto& spacing = coarse.level.spacing;
   return options.beta > 0 && spacing.size() == coarse.mesh().points.size() &&
-         std::all_of(spacing.begin(), spacing.end(),
-                     [](double f) { return f > 0 && std::isfinite(f); });
+         all_of(spacing, [](double f) { return f > 0 && std::isfinite(f); });
 }
 
 // In the metric of the graph that the nodes were selected from, along all of its paths.

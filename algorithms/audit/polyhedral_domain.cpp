@@ -10,6 +10,7 @@
 
 #include "wellspaced/algorithms/audit/vectors.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
@@ -56,18 +57,16 @@ class FacetView {
 };
 
 bool is_nested(const Pls& system, const Pls::Facet& facet, const std::vector<Index>& polygon) {
-  return std::any_of(facet.polygons.begin(), facet.polygons.end(), [&](const auto& outer) {
+  return any_of(facet.polygons, [&](const auto& outer) {
     if (&outer == &polygon || outer.size() < 3) return false;
     const FacetView view(system.points, outer);
-    return std::any_of(polygon.begin(), polygon.end(),
-                       [&](Index v) { return view.is_inside(system.points[v], outer); });
+    return any_of(polygon, [&](Index v) { return view.is_inside(system.points[v], outer); });
   });
 }
 
 bool holds_a_hole(const Pls& system, const Pls::Facet& facet, const std::vector<Index>& polygon) {
   const FacetView view(system.points, polygon);
-  return std::any_of(facet.holes.begin(), facet.holes.end(),
-                     [&](Point3 hole) { return view.is_inside(hole, polygon); });
+  return any_of(facet.holes, [&](Point3 hole) { return view.is_inside(hole, polygon); });
 }
 
 // Sides that do not bound are polygons of two points; those come last.
@@ -114,7 +113,7 @@ bool is_nearly_flat(const std::vector<Point3>& points, double flatness) {
     if (norm(turn) > norm(normal)) normal = turn;
   }
   const double reach = flatness * norm(along) * norm(normal);
-  return std::all_of(points.begin(), points.end(), [&](Point3 p) {
+  return all_of(points, [&](Point3 p) {
     return std::fabs(product(difference(coordinates_of(p), a), normal)) <= reach;
   });
 }
@@ -131,8 +130,7 @@ bool is_flat(const std::vector<Point3>& points, const FacetPolygons& f, const Fa
   const FacetView view(points, f.front());
   for (std::size_t i = 2; i < all.size(); ++i) {
     if (orient2d(view.seen(all[0]), view.seen(all[1]), view.seen(all[i])) == 0) continue;
-    return std::all_of(all.begin(), all.end(),
-                       [&](Point3 p) { return orient3d(all[0], all[1], all[i], p) == 0; });
+    return all_of(all, [&](Point3 p) { return orient3d(all[0], all[1], all[i], p) == 0; });
   }
   return false;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
@@ -72,9 +73,8 @@ void sort_pairs(std::vector<Index>& ids) {
 }
 
 bool Report::pass() const {
-  return complete && std::all_of(checks.begin(), checks.end(), [](const Check& check) {
-           return check.pass() || !check.required;
-         });
+  return complete &&
+         all_of(checks, [](const Check& check) { return check.pass() || !check.required; });
 }
 
 const Check* Report::check(std::string_view name) const { return find(checks, name); }

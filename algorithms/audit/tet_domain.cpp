@@ -12,6 +12,7 @@
 #include "wellspaced/algorithms/audit/open_facets.hpp"
 #include "wellspaced/algorithms/audit/rounding_box.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
@@ -94,9 +95,7 @@ class MeshIndex {
 
  private:
   static std::array<double, 3> key(Point3 p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
-  static bool has(const Face& nodes, Index v) {
-    return std::find(nodes.begin(), nodes.end(), v) != nodes.end();
-  }
+  static bool has(const Face& nodes, Index v) { return wellspaced::contains(nodes, v); }
 
   const TetMesh& mesh_;
   std::vector<Index> first_, tets_, nodes_;
@@ -170,7 +169,7 @@ FacetPlane plane_of(const std::vector<Point3>& points, double units, double flat
     if (area_sq(plane.a, plane.b, p) > area_sq(plane.a, plane.b, plane.c)) plane.c = p;
   plane.reach = flatness * std::sqrt(distance_sq(plane.a, plane.b));
   const auto holds_all = [&] {
-    return std::all_of(points.begin(), points.end(), [&](Point3 p) { return plane.contains(p); });
+    return all_of(points, [&](Point3 p) { return plane.contains(p); });
   };
   while (plane.units < 0x1p40 && !holds_all()) plane.units *= 2;
   return plane;
@@ -258,8 +257,7 @@ class FacetCover {
     std::vector<Index> found;
     index_.for_each_face_on(edge, [&](Index f) {
       const Face nodes = face_nodes(mesh_.tets, f);
-      if (std::all_of(nodes.begin(), nodes.end(), [&](Index v) { return is_near_plane(v); }))
-        found.push_back(number(f));
+      if (all_of(nodes, [&](Index v) { return is_near_plane(v); })) found.push_back(number(f));
     });
     sort_unique(found);
     return found;

@@ -8,6 +8,7 @@
 #include "wellspaced/algorithms/audit/contact.hpp"
 #include "wellspaced/algorithms/audit/solid_winding.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
@@ -118,8 +119,8 @@ std::vector<std::int8_t> tet_orientations(const TetMesh& mesh) {
 }
 
 bool is_negative(const TetMesh& mesh) {
-  return !mesh.tets.empty() && std::all_of(mesh.tets.begin(), mesh.tets.end(),
-                                           [&](const auto& t) { return sign_of_tet(mesh, t) < 0; });
+  return !mesh.tets.empty() &&
+         all_of(mesh.tets, [&](const auto& t) { return sign_of_tet(mesh, t) < 0; });
 }
 
 void audit_tet_embedding(const TetMesh& mesh, const TetFaces& faces,

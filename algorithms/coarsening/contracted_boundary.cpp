@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
@@ -47,8 +48,7 @@ double polygon_area(std::span<const Point2> polygon) {
 }
 
 bool is_straight(std::span<const Point2> chain) {
-  return std::all_of(chain.begin(), chain.end(),
-                     [&](Point2 p) { return orient2d(chain.front(), chain.back(), p) == 0; });
+  return all_of(chain, [&](Point2 p) { return orient2d(chain.front(), chain.back(), p) == 0; });
 }
 
 }  // namespace

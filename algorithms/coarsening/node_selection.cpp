@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
+
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced {
 namespace {
@@ -118,8 +121,8 @@ Index NodeSelection::conflict_before(Waiting& waiting, std::span<const std::uint
 void NodeSelection::consider(Index v, std::size_t conflicts) {
   if (considered_) considered_(v);
   const bool meets_selected =
-      std::any_of(pool_.begin() + static_cast<std::ptrdiff_t>(conflicts), pool_.end(),
-                  [&](const Conflict& c) { return c.holds && is_selected(c.node); });
+      any_of(std::span(pool_).subspan(conflicts),
+             [&](const Conflict& c) { return c.holds && is_selected(c.node); });
   if (meets_selected) return invalidate(v);
   mark_selected(v);
   invalidate_conflicts(conflicts);

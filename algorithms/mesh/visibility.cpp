@@ -1,10 +1,10 @@
 #include "wellspaced/algorithms/mesh/visibility.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced {
 namespace {
@@ -34,7 +34,7 @@ bool Visibility::sees(Point2 x, Index at, Index q) const {
   const auto& corners = mesh_.triangles[at];
   for (const Index v : corners)
     if (mesh_.points[v] == x) return sees(v, q);
-  if (std::find(corners.begin(), corners.end(), q) != corners.end()) return true;
+  if (contains(corners, q)) return true;
   const Line line{x, q, mesh_.points[q]};
   return arrives(line, leave_triangle(line, at));
 }

@@ -12,6 +12,7 @@
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
@@ -76,8 +77,7 @@ Result<PlanarTriangulation> closed_domain(const Pslg& domain, const PackingOptio
     return Error{ErrorCode::kInvalidGeometry,
                  "the domain has no area: all of its points lie on one line",
                  {}};
-  if (std::none_of(graph->in_domain.begin(), graph->in_domain.end(), [](auto in) { return in; }))
-    return nothing_enclosed(*graph);
+  if (none_of(graph->in_domain, [](auto in) { return in; })) return nothing_enclosed(*graph);
   return graph;
 }
 

@@ -9,6 +9,7 @@
 
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced {
 namespace {
@@ -340,8 +341,7 @@ std::vector<Index> LocalFeatureSize::triangles_around(Point2 x, Index near) cons
 // in the domain.
 bool LocalFeatureSize::sees(Point2 x, const std::vector<Index>& around, std::size_t feature) const {
   const Point2 target = nearest_point(feature, x);
-  return std::any_of(around.begin(), around.end(),
-                     [&](Index t) { return reaches(x, t, target, features_[feature]); });
+  return any_of(around, [&](Index t) { return reaches(x, t, target, features_[feature]); });
 }
 
 // The same by way of the first triangle. The walk ends at `target`, which may lie beside the

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced {
 namespace {
@@ -106,7 +107,7 @@ bool ChainBender::can_pass(std::span<const Index> segments, Index v, Ends ends, 
     return precedes_along(a, b, p[ends[0]], p[v]) == forward &&
            precedes_along(a, b, p[v], p[ends[1]]) == forward;
   };
-  return std::all_of(segments.begin(), segments.end(), [&](Index s) {
+  return all_of(segments, [&](Index s) {
     const Point2 a = p[segments_[s].a], b = p[segments_[s].b];
     return (place == BendPlace::kAnywhere || is_between(a, b)) && meets_box_of(a, b, p[v], steps);
   });

@@ -8,6 +8,7 @@
 #include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced {
 
@@ -41,8 +42,7 @@ Result<Index> Delaunay2::split_edge(Edge e, Point2 p) {
   const bool in_circle = incircle(points_[u], points_[v], points_[w], p) > 0;
   topology_.set_constrained(e, false);
   find_cavity(e, p, cavity_);
-  const bool in_both = in_circle && std::find(cavity_.hole.begin(), cavity_.hole.end(),
-                                              topology_.mirror(e).triangle) != cavity_.hole.end();
+  const bool in_both = in_circle && contains(cavity_.hole, topology_.mirror(e).triangle);
   if (!in_both || !sees_whole_rim(p)) {
     topology_.set_constrained(e, true);
     return Error{ErrorCode::kInvalidGeometry,

@@ -1,7 +1,8 @@
 #include "wellspaced/kernel/plane/quadtree_topology.hpp"
 
-#include <algorithm>
 #include <numeric>
+
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced {
 
@@ -68,7 +69,7 @@ void QuadtreeTopology::find_surroundings() {
 // Smaller boxes beside a box are quarters, split and not collapsing, of what lies around it.
 bool QuadtreeTopology::may_collapse(const SplitBox& box, QuadtreeBalance balance,
                                     const std::vector<std::uint8_t>& collapsing) const {
-  if (std::any_of(box.quarter.begin(), box.quarter.end(), is_split)) return false;
+  if (any_of(box.quarter, is_split)) return false;
   const auto stays_split = [&](Box b) { return is_split(b) && !collapsing[b - kSplit]; };
   const auto has_small_leaves_towards = [&](int direction) {
     const Box beside = box.around[direction];
@@ -77,10 +78,8 @@ bool QuadtreeTopology::may_collapse(const SplitBox& box, QuadtreeBalance balance
       if (faces(quarter, direction) && stays_split(split(beside).quarter[quarter])) return true;
     return false;
   };
-  if (std::any_of(kEdgeDirections.begin(), kEdgeDirections.end(), has_small_leaves_towards))
-    return false;
-  return balance == QuadtreeBalance::kEdge ||
-         std::none_of(kCornerDirections.begin(), kCornerDirections.end(), has_small_leaves_towards);
+  if (any_of(kEdgeDirections, has_small_leaves_towards)) return false;
+  return balance == QuadtreeBalance::kEdge || none_of(kCornerDirections, has_small_leaves_towards);
 }
 
 // For every split box whether it becomes a leaf.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/plane/crossing.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/random.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
@@ -214,7 +215,7 @@ void Splitter::add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Misf
     return (e[0] == c && e[1] == d) || (e[0] == d && e[1] == c);
   };
   for (std::size_t s = 0; s < split.edges.size(); ++s) {
-    if (std::none_of(split.edges[s].begin(), split.edges[s].end(), is_edge)) continue;
+    if (none_of(split.edges[s], is_edge)) continue;
     for (const Index v : chains_[s])
       if (v >= first_node) nodes.push_back(v - first_node);
   }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "wellspaced/kernel/graph.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/shortest_paths.hpp"
 #include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
@@ -108,7 +109,7 @@ double BackgroundSize3::steepest() const {
   const Triangulation3& topology = delaunay_.topology();
   for (Index t = 0; t < topology.size(); ++t) {
     const auto& v = topology.vertices(t);
-    if (std::any_of(v.begin(), v.end(), [this](Index w) { return is_far(w); })) continue;
+    if (any_of(v, [this](Index w) { return is_far(w); })) continue;
     const Point3 a = delaunay_.points()[v[0]], ab = delaunay_.points()[v[1]] - a,
                  ac = delaunay_.points()[v[2]] - a, ad = delaunay_.points()[v[3]] - a;
     const double rise_b = sizes_[v[1]] - sizes_[v[0]], rise_c = sizes_[v[2]] - sizes_[v[0]],

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/angle.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
@@ -162,7 +163,7 @@ void RuleCheck::check_segments_and_facets(Index v) {
 bool RuleCheck::share_segment_at(Index v, Index f, Index g) const {
   const std::vector<Index>&first = complex_.facets[f].segments,
         &second = complex_.facets[g].segments;
-  return std::any_of(meetings_[v].segments.begin(), meetings_[v].segments.end(), [&](Index s) {
+  return any_of(meetings_[v].segments, [&](Index s) {
     return std::binary_search(first.begin(), first.end(), s) &&
            std::binary_search(second.begin(), second.end(), s);
   });
@@ -243,8 +244,8 @@ std::string worst_of(const std::vector<RuleViolation>& sorted, const PolyhedralC
   std::vector<const RuleViolation*> named;
   std::string text;
   for (const RuleViolation& next : sorted) {
-    if (std::any_of(named.begin(), named.end(),
-                    [&](const RuleViolation* one) { return one->a == next.a && one->b == next.b; }))
+    if (any_of(named,
+               [&](const RuleViolation* one) { return one->a == next.a && one->b == next.b; }))
       continue;
     if (named.size() == kNamed) return text + "; and more";
     text += (named.empty() ? "" : "; ") + description(next, complex);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
@@ -192,7 +193,7 @@ bool FeatureSize3::touches_facet(const Item& x, const Item& facet) const {
   if (x.feature.dimension == 0) return contains_index(whole.points, a);
   if (contains_index(whole.segments, x.feature.number)) return true;
   const auto is_end = [&](Index v) { return v == x.corners[0] || v == x.corners[1]; };
-  return std::any_of(facet.corners.begin(), facet.corners.end(), is_end);
+  return any_of(facet.corners, is_end);
 }
 
 bool FeatureSize3::facets_touch(const Item& x, const Item& y) const {
@@ -201,9 +202,7 @@ bool FeatureSize3::facets_touch(const Item& x, const Item& y) const {
   if (!contains_index(touching_facets_[f], g)) return false;
   const PolyhedralComplex::Facet &first = complex_->facets[f], &second = complex_->facets[g];
   const auto any_in = [](const Item& item, const auto& points) {
-    return std::any_of(item.corners.begin(), item.corners.end(), [&](Index v) {
-      return std::find(points.begin(), points.end(), v) != points.end();
-    });
+    return any_of(item.corners, [&](Index v) { return contains(points, v); });
   };
   if (first.is_convex && second.is_convex) return true;
   if (first.is_convex) return any_in(y, first.points);

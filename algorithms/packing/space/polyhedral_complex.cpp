@@ -9,6 +9,7 @@
 #include "wellspaced/kernel/check_points.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
@@ -23,14 +24,13 @@ using Corners3 = std::vector<Index>;
 Status check_seeds(const Pls& domain) {
   const auto is_good = [](const Point3& p) { return is_finite(p); };
   for (Index f = 0; f < domain.facets.size(); ++f)
-    if (!std::all_of(domain.facets[f].holes.begin(), domain.facets[f].holes.end(), is_good))
+    if (!all_of(domain.facets[f].holes, is_good))
       return Error{ErrorCode::kInvalidGeometry,
                    "a hole of facet " + std::to_string(f) + " is not finite",
                    {f}};
   const bool is_fine =
-      std::all_of(domain.holes.begin(), domain.holes.end(), is_good) &&
-      std::all_of(domain.regions.begin(), domain.regions.end(),
-                  [](const Pls::Region& region) { return is_finite(region.seed); });
+      all_of(domain.holes, is_good) &&
+      all_of(domain.regions, [](const Pls::Region& region) { return is_finite(region.seed); });
   if (is_fine) return Ok{};
   return Error{ErrorCode::kInvalidGeometry, "the point of a hole or region is not finite", {}};
 }
@@ -39,7 +39,7 @@ Status check_names(const Pls& domain) {
   const auto is_point = [n = domain.points.size()](Index v) { return v < n; };
   for (Index f = 0; f < domain.facets.size(); ++f)
     for (const Corners3& polygon : domain.facets[f].polygons)
-      if (!std::all_of(polygon.begin(), polygon.end(), is_point))
+      if (!all_of(polygon, is_point))
         return Error{ErrorCode::kInvalidGeometry,
                      "facet " + std::to_string(f) + " names a point that there is not",
                      {f}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/circumsphere.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
@@ -129,10 +130,9 @@ bool RoomSearch3::is_full(const Cell& cell, double least) const {
   const auto is_too_near = [&](const Sphere& ball) {
     return lies_within(cell.centre, reach, {ball.center, ball.radius + least});
   };
-  return std::any_of(corners_.begin(), corners_.end(), is_too_near) ||
-         std::any_of(balls_.begin(), balls_.end(), is_too_near) ||
-         std::any_of(guards_.begin(), guards_.end(),
-                     [&](const Sphere& guard) { return lies_within(cell.centre, reach, guard); });
+  return any_of(corners_, is_too_near) || any_of(balls_, is_too_near) ||
+         any_of(guards_,
+                [&](const Sphere& guard) { return lies_within(cell.centre, reach, guard); });
 }
 
 void RoomSearch3::split(const Cell& cell) {

@@ -8,6 +8,7 @@
 #include "wellspaced/algorithms/packing/space/far_points.hpp"
 #include "wellspaced/algorithms/packing/space/room_search3.hpp"
 #include "wellspaced/algorithms/packing/space/surface_index.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/circumsphere.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
@@ -25,7 +26,7 @@ Error no_radius() {
 
 template <class Test>
 bool any_rim_vertex(const Triangulation3::Cavity& cavity, Test test) {
-  return std::any_of(cavity.rim.begin(), cavity.rim.end(), [&](const auto& rim) {
+  return any_of(cavity.rim, [&](const auto& rim) {
     for (unsigned i = 0; i < 4; ++i)
       if (i != rim.corner && test(rim.vertex[i])) return true;
     return false;
@@ -330,7 +331,7 @@ Result<bool> SolidPacking::try_ball(Index t, const Sphere& ball, bool is_certain
   };
   const auto accepts = [&](const Triangulation3::Cavity& cavity) {
     if (!is_certain && any_rim_vertex(cavity, meets_ball)) return false;
-    return std::all_of(cavity.tets.begin(), cavity.tets.end(), [&](Index u) {
+    return all_of(cavity.tets, [&](Index u) {
       return region_of_[u] == region && !is_protected(topology().vertices(u), p);
     });
   };
@@ -364,7 +365,7 @@ void SolidPacking::follow_change(Index v, Index region) {
   waits_.resize(size);
   for (const Index t : changed) {
     const Tet& corners = topology().vertices(t);
-    if (std::find(corners.begin(), corners.end(), v) == corners.end()) continue;
+    if (!contains(corners, v)) continue;
     region_of_[t] = region;
     waits_[t] = 0;
     push(t);
