@@ -18,7 +18,7 @@ Status check_each_point(std::span<const Point> points) {
     if (!is_finite(points[i])) bad.push_back(static_cast<Index>(i));
   if (bad.empty()) return Ok{};
   return Error{ErrorCode::kInvalidGeometry,
-               "point " + std::to_string(bad[0]) + " has a coordinate that is not finite",
+               {"point ", bad[0], " has a coordinate that is not finite"},
                std::move(bad)};
 }
 

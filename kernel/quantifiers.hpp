@@ -24,10 +24,10 @@ constexpr bool all_of(const List& list, Holds holds) {
   return !any_of(list, [&](const auto& x) { return !holds(x); });
 }
 
-/// Whether `wanted` stands in `list`. Cost: O(n).
-template <class List, class T>
-constexpr bool contains(const List& list, const T& wanted) {
-  return any_of(list, [&](const auto& x) { return x == wanted; });
+/// Whether `x` stands in `list`. Cost: O(n).
+template <class T, class List>
+constexpr bool is_among(const T& x, const List& list) {
+  return any_of(list, [&](const auto& y) { return y == x; });
 }
 
 }  // namespace wellspaced

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -140,9 +139,10 @@ std::vector<std::uint8_t> boundary_flags(const TriangleMesh& mesh) {
   return flags;
 }
 
-std::set<int> markers_of(const TriangleMesh& mesh) {
-  std::set<int> markers;
-  for (const Segment& s : mesh.segments) markers.insert(s.marker);
+std::vector<int> markers_of(const TriangleMesh& mesh) {
+  std::vector<int> markers;
+  for (const Segment& s : mesh.segments) markers.push_back(s.marker);
+  sort_unique(markers);
   return markers;
 }
 
@@ -160,7 +160,7 @@ void audit_boundary(Judged& coarse, const Judged& finer, const Judged& finest) {
         static_cast<std::uint64_t>(std::fabs(coarse.measured(name) - finer.measured(name)));
   Check& markers = report.add_check("markers_kept", Item::kNone, false);
   const auto alive = markers_of(coarse.mesh());
-  for (const int marker : markers_of(finer.mesh())) markers.violations += alive.count(marker) == 0;
+  for (const int marker : markers_of(finer.mesh())) markers.violations += !is_among(marker, alive);
   const auto lines = boundary_lines(coarse.mesh());
   report.add_measure("area_kept", coarse.measured("area") / finest.measured("area"));
   report.add_measure("perimeter_kept", coarse.measured("perimeter") / finest.measured("perimeter"));
@@ -234,7 +234,8 @@ void audit_graph_lipschitz(Report& report, const TriangleMesh& mesh, const Selec
 void audit_level_spacing(Judged& coarse, const Judged& selected_from,
                          const HierarchyAuditOptions& options, ProgressParts& parts) {
   if (!has_spacing(coarse, options)) return;
-  std::set<Index> fixed(options.fixed.begin(), options.fixed.end());
+  std::vector<Index> fixed(options.fixed.begin(), options.fixed.end());
+  sort(fixed);
   std::vector<Index> nodes, level_nodes;
   std::vector<double> spacing;
   std::vector<std::uint8_t> exempt;
@@ -245,7 +246,7 @@ void audit_level_spacing(Judged& coarse, const Judged& selected_from,
     nodes.push_back(node);
     level_nodes.push_back(v);
     spacing.push_back(coarse.level.spacing[v]);
-    exempt.push_back(fixed.count(coarse.origins[v]) > 0);
+    exempt.push_back(std::binary_search(fixed.begin(), fixed.end(), coarse.origins[v]));
   }
   const SelectedNodes selected{nodes, spacing, options.beta, exempt};
   Check& graph = coarse.report.add_check("graph_spacing", Item::kEdge, false);

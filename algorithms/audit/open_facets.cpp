@@ -7,6 +7,7 @@
 
 #include "wellspaced/algorithms/audit/vectors.hpp"
 #include "wellspaced/kernel/predicates.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced::audit {
 namespace {
@@ -78,8 +79,7 @@ std::vector<Point3> places_on(const PolyhedralDomain& domain, Index facet) {
     places.emplace_back(-area, point_at(centre));
   });
   const std::size_t tried = std::min(places.size(), kPlacesTried);
-  std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(tried),
-                    places.end());
+  sort(places);
   std::vector<Point3> result;
   for (std::size_t i = 0; i < tried; ++i) result.push_back(places[i].second);
   return result;
@@ -114,7 +114,7 @@ std::vector<OpenFacets::Line> OpenFacets::lines_through(Point3 p) const {
   for (const Point3& hole : domain_.holes)
     holes.emplace_back(distance_of(at, coordinates_of(hole)), hole);
   const std::size_t tried = std::min(holes.size(), kHolesTried);
-  std::partial_sort(holes.begin(), holes.begin() + static_cast<std::ptrdiff_t>(tried), holes.end());
+  sort(holes);
   std::vector<Line> lines;
   for (std::size_t i = 0; i < tried; ++i) {
     const auto& [distance, hole] = holes[i];

@@ -139,7 +139,7 @@ Status require_of(const Requirement& requirement, const Elements& elements, Repo
     if (report.checks.size() == before) require_bound_of_checks(requirement, report);
     if (report.checks.size() > before || !report.pass()) return Ok{};
   }
-  return Error{ErrorCode::kUsage, requirement.name + " is no check or measure of this input", {}};
+  return Error{ErrorCode::kUsage, {requirement.name, " is no check or measure of this input"}, {}};
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ class MeshIndex {
 
  private:
   static std::array<double, 3> key(Point3 p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
-  static bool has(const Face& nodes, Index v) { return wellspaced::contains(nodes, v); }
+  static bool has(const Face& nodes, Index v) { return is_among(v, nodes); }
 
   const TetMesh& mesh_;
   std::vector<Index> first_, tets_, nodes_;

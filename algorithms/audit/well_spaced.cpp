@@ -413,8 +413,8 @@ class SpacingAudit {
   }
 
   double add_bracket(const std::string& name, const GapBracket<D>& bracket) {
-    report_.add_measure(name + "_lower", bracket.lower);
-    report_.add_measure(name + "_upper", bracket.upper);
+    report_.add_measure(concat({name, "_lower"}), bracket.lower);
+    report_.add_measure(concat({name, "_upper"}), bracket.upper);
     add_witness(name, bracket.centre, bracket.at);
     return bracket.upper;
   }

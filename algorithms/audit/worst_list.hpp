@@ -1,7 +1,6 @@
 // Keeps the ten worst items of many.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -39,14 +38,7 @@ class WorstList {
  private:
   static constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-  void insert(Index item, double key) {
-    if (key != key) key = std::numeric_limits<double>::infinity();
-    if (size_ < entries_.size()) ++size_;
-    std::size_t i = size_ - 1;
-    for (; i > 0 && entries_[i - 1].first < key; --i) entries_[i] = entries_[i - 1];
-    entries_[i] = {key, item};
-    if (size_ == entries_.size()) threshold_ = entries_.back().first;
-  }
+  void insert(Index item, double key);
 
   std::array<std::pair<double, Index>, 10> entries_;
   std::size_t size_ = 0;

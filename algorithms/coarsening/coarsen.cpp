@@ -32,20 +32,17 @@ Status check_mesh(const TriangleMesh& mesh) {
   if (nodes > kMaxNodes) return Error{ErrorCode::kLimit, "more than 2^28 nodes", {}};
   for (Index v = 0; v < nodes; ++v)
     if (!is_finite(mesh.points[v]))
-      return Error{ErrorCode::kInvalidGeometry,
-                   "node " + std::to_string(v) + " has a coordinate that is not finite",
-                   {v}};
+      return Error{
+          ErrorCode::kInvalidGeometry, {"node ", v, " has a coordinate that is not finite"}, {v}};
   const auto out_of_range = [=](Index v) { return v >= nodes; };
   for (Index t = 0; t < mesh.triangles.size(); ++t)
     if (std::ranges::any_of(mesh.triangles[t], out_of_range))
-      return Error{ErrorCode::kInvalidGeometry,
-                   "triangle " + std::to_string(t) + " names a node that does not exist",
-                   {t}};
+      return Error{
+          ErrorCode::kInvalidGeometry, {"triangle ", t, " names a node that does not exist"}, {t}};
   for (Index s = 0; s < mesh.segments.size(); ++s)
     if (out_of_range(mesh.segments[s].a) || out_of_range(mesh.segments[s].b))
-      return Error{ErrorCode::kInvalidGeometry,
-                   "segment " + std::to_string(s) + " names a node that does not exist",
-                   {s}};
+      return Error{
+          ErrorCode::kInvalidGeometry, {"segment ", s, " names a node that does not exist"}, {s}};
   return Ok{};
 }
 
@@ -55,13 +52,11 @@ Status check_values(const std::string& name, const std::optional<std::vector<dou
                     std::size_t nodes) {
   if (!values) return Ok{};
   if (values->size() != nodes)
-    return usage("there must be one " + name + " for each of the " + std::to_string(nodes) +
-                 " nodes, not " + std::to_string(values->size()));
+    return usage(concat(
+        {"there must be one ", name, " for each of the ", nodes, " nodes, not ", values->size()}));
   for (Index v = 0; v < nodes; ++v)
     if (!std::isfinite((*values)[v]))
-      return Error{ErrorCode::kUsage,
-                   "the " + name + " of node " + std::to_string(v) + " is not finite",
-                   {v}};
+      return Error{ErrorCode::kUsage, {"the ", name, " of node ", v, " is not finite"}, {v}};
   return Ok{};
 }
 
@@ -82,8 +77,8 @@ Status check_refinement(const CoarseningOptions& options, std::size_t nodes) {
     return usage("the angle must be more than 0 and at most 30 degrees");
   for (const std::size_t target : options.targets)
     if (target == 0 || target >= nodes)
-      return usage("a level must have at least 1 node and less than the input's " +
-                   std::to_string(nodes) + ", not " + std::to_string(target));
+      return usage(concat({"a level must have at least 1 node and less than the input's ", nodes,
+                           ", not ", target}));
   return Ok{};
 }
 
@@ -113,16 +108,15 @@ Status check_options(const CoarseningOptions& options, std::size_t nodes) {
   if (options.spacing)
     for (Index v = 0; v < nodes; ++v)
       if (!((*options.spacing)[v] > 0))
-        return Error{ErrorCode::kUsage,
-                     "the spacing of node " + std::to_string(v) + " must be greater than 0",
-                     {v}};
+        return Error{
+            ErrorCode::kUsage, {"the spacing of node ", v, " must be greater than 0"}, {v}};
   if (!options.fixed) return Ok{};
   for (const Index v : *options.fixed)
     if (v >= nodes)
-      return Error{ErrorCode::kUsage,
-                   "fixed point " + std::to_string(v) + " is out of range: the mesh has " +
-                       std::to_string(nodes) + " nodes, numbered from 0",
-                   {v}};
+      return Error{
+          ErrorCode::kUsage,
+          {"fixed point ", v, " is out of range: the mesh has ", nodes, " nodes, numbered from 0"},
+          {v}};
   return Ok{};
 }
 

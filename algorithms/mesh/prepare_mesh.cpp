@@ -33,12 +33,12 @@ class Preparer {
   void recover_boundary(std::span<const DirectedEdges::Edge> boundary);
   Status check_coincidences(std::span<const DirectedEdges::Edge> boundary);
 
-  std::string number(Index i) const { return std::to_string(std::uint64_t{i} + base_); }
+  std::uint64_t number(Index i) const { return std::uint64_t{i} + base_; }
   std::string name(Index t) const {
     const auto [a, b, c] = mesh_.triangles[t];
-    return "triangle " + number(t) + " (" + number(a) + ", " + number(b) + ", " + number(c) + ")";
+    return concat({"triangle ", number(t), " (", number(a), ", ", number(b), ", ", number(c), ")"});
   }
-  std::string name(Index a, Index b) const { return number(a) + "-" + number(b); }
+  std::string name(Index a, Index b) const { return concat({number(a), "-", number(b)}); }
   int orientation(Index t) const {
     const auto [a, b, c] = mesh_.triangles[t];
     return orient2d(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
@@ -64,13 +64,13 @@ Status Preparer::check_indices() const {
   for (Index t = 0; t < mesh_.triangles.size(); ++t)
     for (const Index v : mesh_.triangles[t])
       if (v >= points)
-        return invalid("triangle " + number(t) + " names point " + number(v) + ", but there are " +
-                           std::to_string(points) + " points",
+        return invalid(concat({"triangle ", number(t), " names point ", number(v),
+                               ", but there are ", points, " points"}),
                        {t});
   for (Index s = 0; s < mesh_.segments.size(); ++s)
     if (const Index v = std::max(mesh_.segments[s].a, mesh_.segments[s].b); v >= points)
-      return invalid("segment " + number(s) + " names point " + number(v) + ", but there are " +
-                         std::to_string(points) + " points",
+      return invalid(concat({"segment ", number(s), " names point ", number(v), ", but there are ",
+                             points, " points"}),
                      {s});
   return Ok{};
 }
@@ -80,10 +80,11 @@ Status Preparer::orient() {
   const int first = count == 0 ? 1 : orientation(0);
   for (Index t = 0; t < count; ++t) {
     const int sign = orientation(t);
-    if (sign == 0) return invalid(name(t) + " has no area; remove it or move a corner", {t});
+    if (sign == 0)
+      return invalid(concat({name(t), " has no area; remove it or move a corner"}), {t});
     if (sign != first)
-      return invalid(name(t) + " is " + (sign > 0 ? "counter-" : "") + "clockwise, but " + name(0) +
-                         " is not; orient all the same way",
+      return invalid(concat({name(t), " is ", sign > 0 ? "counter-" : "", "clockwise, but ",
+                             name(0), " is not; orient all the same way"}),
                      {t, 0});
   }
   found_.turned = first < 0;
@@ -96,8 +97,8 @@ Status Preparer::check_edges(const DirectedEdges& edges) const {
   const auto conflict = edges.find_conflict();
   if (!conflict) return Ok{};
   const auto& [edge, t, other] = *conflict;
-  return invalid("edge " + name(edge[0], edge[1]) + " has triangles " + number(t) + " and " +
-                     number(other) + " on the same side; remove one of them",
+  return invalid(concat({"edge ", name(edge[0], edge[1]), " has triangles ", number(t), " and ",
+                         number(other), " on the same side; remove one of them"}),
                  {t, other});
 }
 
@@ -105,8 +106,8 @@ Status Preparer::check_segments(const DirectedEdges& edges) const {
   for (Index s = 0; s < mesh_.segments.size(); ++s) {
     const auto [a, b, marker] = mesh_.segments[s];
     if (!edges.has_edge(a, b))
-      return invalid("segment " + number(s) + " (" + name(a, b) +
-                         ") is no edge of a triangle; remove it or mesh along it",
+      return invalid(concat({"segment ", number(s), " (", name(a, b),
+                             ") is no edge of a triangle; remove it or mesh along it"}),
                      {s});
   }
   return Ok{};
@@ -183,8 +184,8 @@ Status Preparer::check_coincidences(std::span<const DirectedEdges::Edge> boundar
     if (used[v] == 0) continue;
     const Index other = std::exchange(last_used[first[v]], v);
     if (other == kNoIndex || (paired[v] != 0 && paired[other] != 0)) continue;
-    return invalid("points " + number(other) + " and " + number(v) +
-                       " coincide, but are no pair across a slit; merge them",
+    return invalid(concat({"points ", number(other), " and ", number(v),
+                           " coincide, but are no pair across a slit; merge them"}),
                    {other, v});
   }
   return Ok{};

@@ -34,7 +34,7 @@ bool Visibility::sees(Point2 x, Index at, Index q) const {
   const auto& corners = mesh_.triangles[at];
   for (const Index v : corners)
     if (mesh_.points[v] == x) return sees(v, q);
-  if (contains(corners, q)) return true;
+  if (is_among(q, corners)) return true;
   const Line line{x, q, mesh_.points[q]};
   return arrives(line, leave_triangle(line, at));
 }

@@ -23,7 +23,8 @@ Result<BackgroundSize> BackgroundSize::build(std::span<const Point2> points,
     if (!(values[v] > 0) || !std::isfinite(values[v])) bad.push_back(v);
   if (!bad.empty()) {
     const std::string first = std::to_string(bad[0]);
-    return Error{ErrorCode::kUsage, "the size at point " + first + " is not positive and finite",
+    return Error{ErrorCode::kUsage,
+                 {"the size at point ", first, " is not positive and finite"},
                  std::move(bad)};
   }
   Result<Delaunay2> delaunay = Delaunay2::build(points);

@@ -322,7 +322,7 @@ Result<MergedFacets> merge_coplanar_facets(const Pls& domain, double flatness) {
   FacetMerger merger(domain, flatness);
   if (std::vector<Index> bad = merger.find_bad_facets(); !bad.empty())
     return Error{ErrorCode::kInvalidGeometry,
-                 "facet " + std::to_string(bad[0]) + " is not flat, or encloses no area",
+                 {"facet ", bad[0], " is not flat, or encloses no area"},
                  std::move(bad)};
   merger.merge();
   return merger.result();

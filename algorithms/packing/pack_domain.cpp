@@ -21,7 +21,7 @@ namespace {
 constexpr double kCosineOf30Degrees = 0.86602540378443864676;
 
 std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+  return concat({count, " ", thing, count == 1 ? "" : "s"});
 }
 
 // ---- Is it a domain? -----------------------------------------------------------------------
@@ -46,8 +46,8 @@ std::vector<Index> loose_ends(const PlanarTriangulation& graph) {
 Error nothing_enclosed(const PlanarTriangulation& graph) {
   Error error{ErrorCode::kInvalidGeometry, "the segments enclose no region", loose_ends(graph)};
   if (!error.ids.empty())
-    error.message += ": " + counted(error.ids.size(), "loose end") + ", the first at point " +
-                     std::to_string(error.ids[0]);
+    append(error.message,
+           {": ", counted(error.ids.size(), "loose end"), ", the first at point ", error.ids[0]});
   return error;
 }
 
@@ -61,9 +61,8 @@ Error too_sharp(const std::vector<Corner>& corners, const PlanarTriangulation& g
   std::string rounded = std::to_string(angle);
   rounded.resize(rounded.find('.') + 3);
   Error error{ErrorCode::kInvalidGeometry,
-              counted(corners.size(), "corner") + " below 60 degrees, the sharpest at point " +
-                  std::to_string(sharpest->apex) + " with " + rounded +
-                  "; allow small angles to mesh it",
+              {counted(corners.size(), "corner"), " below 60 degrees, the sharpest at point ",
+               sharpest->apex, " with ", rounded, "; allow small angles to mesh it"},
               {}};
   for (const Corner& corner : corners) error.ids.push_back(corner.apex);
   return error;
@@ -91,7 +90,8 @@ void enclose_hull(Pslg& domain, const PlanarTriangulation& graph) {
 void describe_repetitions(const Pslg& domain, const PlanarTriangulation& graph,
                           std::vector<std::string>& notes) {
   const std::size_t duplicates = graph.delaunay.duplicate_count();
-  if (duplicates > 0) notes.push_back(counted(duplicates, "point") + " coincide with others");
+  if (duplicates > 0)
+    notes.push_back(concat({counted(duplicates, "point"), " coincide with others"}));
   std::vector<std::pair<Index, Index>> ends;
   for (const Segment& s : domain.segments)
     ends.push_back(
@@ -99,7 +99,7 @@ void describe_repetitions(const Pslg& domain, const PlanarTriangulation& graph,
   sort(ends);
   const auto first_repeated = std::unique(ends.begin(), ends.end());
   const auto repeated = static_cast<std::size_t>(ends.end() - first_repeated);
-  if (repeated > 0) notes.push_back(counted(repeated, "segment") + " repeat others");
+  if (repeated > 0) notes.push_back(concat({counted(repeated, "segment"), " repeat others"}));
 }
 
 // ---- Boundary ------------------------------------------------------------------------------

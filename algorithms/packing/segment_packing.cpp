@@ -18,10 +18,9 @@ struct RadiusMeasure {
 };
 
 Error bad_radius(Point2 p) {
-  return {
-      ErrorCode::kUsage,
-      "the spacing is not positive at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")",
-      {}};
+  return {ErrorCode::kUsage,
+          {"the spacing is not positive at (", std::to_string(p.x), ", ", std::to_string(p.y), ")"},
+          {}};
 }
 
 Result<RadiusMeasure> measure_in_radii(const SegmentPart& part, const BallRadius& radius,

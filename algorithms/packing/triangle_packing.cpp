@@ -57,8 +57,7 @@ Status TrianglePacking::insert_pieces() {
     if (!chain) return chain.error();
     if (chain->size() != 2)
       return Error{ErrorCode::kInvalidGeometry,
-                   "a point lies on the piece of boundary " + std::to_string(piece.a) + "-" +
-                       std::to_string(piece.b),
+                   {"a point lies on the piece of boundary ", piece.a, "-", piece.b},
                    {piece.a, piece.b}};
   }
   return Ok{};

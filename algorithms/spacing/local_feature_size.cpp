@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory_resource>
 #include <utility>
 
+#include "wellspaced/algorithms/spacing/distance_queue.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/quantifiers.hpp"
@@ -89,19 +89,6 @@ class NearestFeatures {
   std::size_t size_ = 0;
   double bound_sq_;
   std::array<Index, 2> apart_{kNoIndex, kNoIndex};
-};
-
-// What the search has before it: a node of the tree, counted from 1, with its features; or, with
-// node 0, one feature.
-struct Pending {
-  double distance_sq;
-  Index node, first, last;
-};
-
-struct IsFarther {
-  bool operator()(const Pending& a, const Pending& b) const {
-    return a.distance_sq > b.distance_sq || (a.distance_sq == b.distance_sq && a.first > b.first);
-  }
 };
 
 }  // namespace
@@ -195,27 +182,18 @@ Point2 LocalFeatureSize::nearest_point(std::size_t feature, Point2 x) const {
 template <class Visit>
 void LocalFeatureSize::visit_by_distance(Point2 x, Visit visit) const {
   if (features_.empty()) return;
-  std::array<std::byte, 8192> buffer;  // more than most queries need
-  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
-  std::pmr::vector<Pending> heap(&memory);
-  heap.reserve(128);
+  DistanceQueue queue;
   const Point2 from = scaled(x);
-  const auto push = [&](const Pending& pending) {
-    heap.push_back(pending);
-    std::push_heap(heap.begin(), heap.end(), IsFarther());
-  };
   const auto push_node = [&](Index node, Index first, Index last) {
-    push({distance_sq_to_box(around_[node - 1], from), node, first, last});
+    queue.push({distance_sq_to_box(around_[node - 1], from), node, first, last});
   };
   push_node(1, 0, static_cast<Index>(features_.size()));
-  while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end(), IsFarther());
-    const auto [distance_sq, node, first, last] = heap.back();
-    heap.pop_back();
+  while (!queue.empty()) {
+    const auto [distance_sq, node, first, last] = queue.pop();
     if (node == 0) {
       if (!visit(first, std::sqrt(distance_sq) / scale_)) return;
     } else if (last - first <= kFeaturesInLeaf) {
-      for (Index i = first; i < last; ++i) push({stretches_[i].distance_sq(from), 0, i, i});
+      for (Index i = first; i < last; ++i) queue.push({stretches_[i].distance_sq(from), 0, i, i});
     } else {
       const Index middle = first + (last - first) / 2;
       push_node(2 * node, first, middle);

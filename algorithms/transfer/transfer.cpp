@@ -311,7 +311,7 @@ class TransferBuilder {
 
   static Error unreached_node(std::ptrdiff_t v) {
     return {ErrorCode::kInvalidGeometry,
-            "node " + std::to_string(v) + " is joined to no node of the coarser level",
+            {"node ", v, " is joined to no node of the coarser level"},
             {static_cast<Index>(v)}};
   }
 

@@ -150,9 +150,9 @@ Status ChainBender::lay(const Piece& piece) {
   const Index s = piece.segment, t = segments_of_[{low, high}].front();
   if (bends_left_-- > 0 && bend(piece, {low, high})) return Ok{};
   return Error{ErrorCode::kInvalidGeometry,
-               "segments " + std::to_string(s) + " and " + std::to_string(t) +
-                   " meet where no vertex within two doubles was found to bend them apart; scale "
-                   "the input up to whole numbers, or move one of them",
+               {"segments ", s, " and ", t,
+                " meet where no vertex within two doubles was found to bend them apart; scale "
+                "the input up to whole numbers, or move one of them"},
                {s, t}};
 }
 

@@ -63,8 +63,7 @@ Result<std::vector<Index>> Delaunay2::insert_constraint(Index a, Index b) {
       if (topology_.is_constrained(e)) {
         const Index c = topology_.origin(e), d = topology_.destination(e);
         return Error{ErrorCode::kInvalidGeometry,
-                     "segment " + std::to_string(a) + "-" + std::to_string(b) +
-                         " crosses segment " + std::to_string(c) + "-" + std::to_string(d),
+                     {"segment ", a, "-", b, " crosses segment ", c, "-", d},
                      {a, b, c, d}};
       }
     path.push_back(v);

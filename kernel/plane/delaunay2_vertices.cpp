@@ -42,12 +42,11 @@ Result<Index> Delaunay2::split_edge(Edge e, Point2 p) {
   const bool in_circle = incircle(points_[u], points_[v], points_[w], p) > 0;
   topology_.set_constrained(e, false);
   find_cavity(e, p, cavity_);
-  const bool in_both = in_circle && contains(cavity_.hole, topology_.mirror(e).triangle);
+  const bool in_both = in_circle && is_among(topology_.mirror(e).triangle, cavity_.hole);
   if (!in_both || !sees_whole_rim(p)) {
     topology_.set_constrained(e, true);
-    return Error{ErrorCode::kInvalidGeometry,
-                 "edge " + std::to_string(a) + "-" + std::to_string(b) + " cannot be split there",
-                 {a, b}};
+    return Error{
+        ErrorCode::kInvalidGeometry, {"edge ", a, "-", b, " cannot be split there"}, {a, b}};
   }
   const Index fresh = fill_cavity(p);
   for (const Index end : {a, b}) topology_.set_constrained(find_edge(fresh, end), true);
@@ -104,13 +103,12 @@ void Delaunay2::rebuild() {
 
 Status Delaunay2::remove(Index v) {
   assert(v < points_.size());
-  if (!is_vertex(v))
-    return Error{ErrorCode::kInvalidGeometry, "point " + std::to_string(v) + " is no vertex", {v}};
+  if (!is_vertex(v)) return Error{ErrorCode::kInvalidGeometry, {"point ", v, " is no vertex"}, {v}};
   if (dimension_ == 2) {
     const Edge wall = constrained_edge_from(v);
     if (wall.triangle != kNoIndex)
       return Error{ErrorCode::kInvalidGeometry,
-                   "vertex " + std::to_string(v) + " ends a constrained edge",
+                   {"vertex ", v, " ends a constrained edge"},
                    {v, topology_.destination(wall)}};
     remove_from_triangles(v);
   }

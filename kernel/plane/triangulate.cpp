@@ -24,7 +24,7 @@ Status check_segments(const Pslg& graph) {
     if (std::max(graph.segments[s].a, graph.segments[s].b) >= graph.points.size()) bad.push_back(s);
   if (bad.empty()) return Ok{};
   return Error{ErrorCode::kInvalidGeometry,
-               "segment " + std::to_string(bad[0]) + " ends at a point that does not exist",
+               {"segment ", bad[0], " ends at a point that does not exist"},
                std::move(bad)};
 }
 
@@ -93,13 +93,12 @@ Error crossing_error(const SegmentNetwork& network) {
   constexpr std::size_t kNamed = 20;
   const std::vector<SegmentCrossing>& pairs = network.crossings;
   Error error{ErrorCode::kInvalidGeometry, "", {}};
-  error.message = std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair" : " pairs") +
-                  " of segments cross: ";
+  error.message =
+      concat({pairs.size(), pairs.size() == 1 ? " pair" : " pairs", " of segments cross: "});
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [s, t] = pairs[k].segment;
     error.ids.insert(error.ids.end(), {s, t});
-    if (k < kNamed)
-      error.message += (k == 0 ? "" : ", ") + std::to_string(s) + " and " + std::to_string(t);
+    if (k < kNamed) append(error.message, {k == 0 ? "" : ", ", s, " and ", t});
   }
   if (pairs.size() > kNamed) error.message += ", ...";
   return error;

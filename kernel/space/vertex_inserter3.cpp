@@ -26,7 +26,7 @@ Status VertexInserter3::fill(Triangulation3& topology, Index v, Index max_tets) 
   auto& tets = cavity.tets;
   const std::size_t old_tets = tets.size(), new_tets = cavity.rim.size();
   if (topology.size() - old_tets + new_tets > max_tets)
-    return Error{ErrorCode::kLimit, "more than " + std::to_string(max_tets) + " tets", {}};
+    return Error{ErrorCode::kLimit, {"more than ", max_tets, " tets"}, {}};
   if (old_tets < new_tets) {
     tets.resize(new_tets);
     std::iota(tets.begin() + static_cast<std::ptrdiff_t>(old_tets), tets.end(),

@@ -55,8 +55,7 @@ Status check_sizes(std::span<const Point3> points, std::span<const double> value
   for (Index v = 0; v < values.size(); ++v)
     if (!(values[v] > 0) || !std::isfinite(values[v])) error.ids.push_back(v);
   if (error.ids.empty()) return Ok{};
-  error.message =
-      "the size at point " + std::to_string(error.ids[0]) + " is not positive and finite";
+  error.message = concat({"the size at point ", error.ids[0], " is not positive and finite"});
   return error;
 }
 

@@ -212,11 +212,10 @@ double extent_of(const PolyhedralComplex& complex) {
 }
 
 std::string name_of(const Feature& feature, const PolyhedralComplex& complex) {
-  if (feature.dimension == 0) return "point " + std::to_string(feature.number);
-  if (feature.dimension == 2)
-    return "facet " + std::to_string(complex.facets[feature.number].source);
+  if (feature.dimension == 0) return concat({"point ", feature.number});
+  if (feature.dimension == 2) return concat({"facet ", complex.facets[feature.number].source});
   const Segment& s = complex.segments[feature.number];
-  return "segment " + std::to_string(s.a) + "-" + std::to_string(s.b);
+  return concat({"segment ", s.a, "-", s.b});
 }
 
 Index point_of(const RuleViolation& violation, const PolyhedralComplex& complex) {
@@ -227,15 +226,16 @@ Index point_of(const RuleViolation& violation, const PolyhedralComplex& complex)
 
 // How two polytopes meet: "facet 2 and facet 5 meet at 45.00 degrees at point 7".
 std::string description(const RuleViolation& violation, const PolyhedralComplex& complex) {
-  const std::string both = name_of(violation.a, complex) + " and " + name_of(violation.b, complex);
-  if (violation.place == kNoIndex) return both + " intersect";
-  const std::string at = " at point " + std::to_string(violation.place);
-  if (violation.cosine > kOverlapping) return both + " overlap" + at;
+  const std::string both =
+      concat({name_of(violation.a, complex), " and ", name_of(violation.b, complex)});
+  if (violation.place == kNoIndex) return concat({both, " intersect"});
+  const std::string at = concat({" at point ", violation.place});
+  if (violation.cosine > kOverlapping) return concat({both, " overlap", at});
   const double c = std::clamp(violation.cosine, -1.0, 1.0);
   const double angle = arccotangent_deg(c / std::sqrt(1 - c * c));
   std::string digits = std::to_string(angle);
   digits.resize(digits.find('.') + 3);
-  return both + " meet at " + digits + " degrees" + at;
+  return concat({both, " meet at ", digits, " degrees", at});
 }
 
 // The worst violations, each pair of polytopes once.
@@ -247,7 +247,7 @@ std::string worst_of(const std::vector<RuleViolation>& sorted, const PolyhedralC
     if (any_of(named,
                [&](const RuleViolation* one) { return one->a == next.a && one->b == next.b; }))
       continue;
-    if (named.size() == kNamed) return text + "; and more";
+    if (named.size() == kNamed) return concat({text, "; and more"});
     text += (named.empty() ? "" : "; ") + description(next, complex);
     named.push_back(&next);
   }
@@ -300,14 +300,14 @@ Error rule_error(const std::vector<RuleViolation>& violations, const PolyhedralC
   Error error{ErrorCode::kInvalidGeometry, "", {}};
   for (const RuleViolation& violation : worst) error.ids.push_back(point_of(violation, complex));
   const bool is_one = worst.size() == 1, intersects = worst[0].cosine > kOverlapping;
-  error.message = std::to_string(worst.size()) + (is_one ? " pair" : " pairs") + " of polytopes " +
-                  (intersects ? "intersect or meet at"
-                   : is_one   ? "meets at"
-                              : "meet at") +
-                  " less than 90 degrees: " + worst_of(worst, complex);
+  error.message = concat({worst.size(), is_one ? " pair" : " pairs", " of polytopes ",
+                          intersects ? "intersect or meet at"
+                          : is_one   ? "meets at"
+                                     : "meet at",
+                          " less than 90 degrees: ", worst_of(worst, complex)});
   if (const std::size_t free = count_free_edges(complex); free > 0)
-    error.message += "; " + std::to_string(free) + (free == 1 ? " edge bounds" : " edges bound") +
-                     " one facet only: is a facet missing?";
+    append(error.message, {"; ", free, free == 1 ? " edge bounds" : " edges bound",
+                           " one facet only: is a facet missing?"});
   return error;
 }
 

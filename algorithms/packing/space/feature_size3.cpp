@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory_resource>
 #include <tuple>
 #include <utility>
 
+#include "wellspaced/algorithms/spacing/distance_queue.hpp"
 #include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
@@ -19,19 +19,6 @@ constexpr std::size_t kItemsInLeaf = 4;
 constexpr double kNoSize = std::numeric_limits<double>::infinity();
 
 double length_sq(Point3 a) { return dot(a, a); }
-
-// What the search has before it: a node of the tree, counted from 1, with its items; or, with node
-// 0, one item.
-struct PendingItem {
-  double distance_sq;
-  Index node, first, last;
-};
-
-struct IsFartherItem {
-  bool operator()(const PendingItem& a, const PendingItem& b) const {
-    return a.distance_sq > b.distance_sq || (a.distance_sq == b.distance_sq && a.first > b.first);
-  }
-};
 
 double distance_sq_to_stretch(Point3 ax, Point3 ab) {
   const double whole = length_sq(ab);
@@ -147,26 +134,17 @@ void FeatureSize3::build_tree(std::size_t node, std::size_t first, std::size_t l
 template <class Visit>
 void FeatureSize3::visit_by_distance(Point3 x, Visit visit) const {
   if (items_.empty()) return;
-  std::array<std::byte, 8192> buffer;  // more than most queries need
-  std::pmr::monotonic_buffer_resource memory(buffer.data(), buffer.size());
-  std::pmr::vector<PendingItem> heap(&memory);
-  heap.reserve(128);
-  const auto push = [&](const PendingItem& pending) {
-    heap.push_back(pending);
-    std::push_heap(heap.begin(), heap.end(), IsFartherItem());
-  };
+  DistanceQueue queue;
   const auto push_node = [&](Index node, Index first, Index last) {
-    push({around_[node - 1].distance_sq(x), node, first, last});
+    queue.push({around_[node - 1].distance_sq(x), node, first, last});
   };
   push_node(1, 0, static_cast<Index>(items_.size()));
-  while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end(), IsFartherItem());
-    const auto [distance_sq, node, first, last] = heap.back();
-    heap.pop_back();
+  while (!queue.empty()) {
+    const auto [distance_sq, node, first, last] = queue.pop();
     if (node == 0) {
       if (!visit(first, distance_sq)) return;
     } else if (last - first <= kItemsInLeaf) {
-      for (Index i = first; i < last; ++i) push({shapes_[i].distance_sq(x), 0, i, i});
+      for (Index i = first; i < last; ++i) queue.push({shapes_[i].distance_sq(x), 0, i, i});
     } else {
       const Index middle = first + (last - first) / 2;
       push_node(2 * node, first, middle);
@@ -202,7 +180,7 @@ bool FeatureSize3::facets_touch(const Item& x, const Item& y) const {
   if (!contains_index(touching_facets_[f], g)) return false;
   const PolyhedralComplex::Facet &first = complex_->facets[f], &second = complex_->facets[g];
   const auto any_in = [](const Item& item, const auto& points) {
-    return any_of(item.corners, [&](Index v) { return contains(points, v); });
+    return any_of(item.corners, [&](Index v) { return is_among(v, points); });
   };
   if (first.is_convex && second.is_convex) return true;
   if (first.is_convex) return any_in(y, first.points);

@@ -84,8 +84,8 @@ void describe_outside(const PolyhedralComplex& complex, const PackedSurface& sur
   std::size_t outside = 0;
   for (std::size_t v = 0; v < is_node.size(); ++v) outside += complex.is_vertex[v] && !is_node[v];
   if (outside > 0)
-    notes.push_back(std::to_string(outside) + (outside == 1 ? " point is" : " points are") +
-                    " in no solid and left out");
+    notes.push_back(
+        concat({outside, outside == 1 ? " point is" : " points are", " in no solid and left out"}));
   if (packed.mesh.segments.size() < surface.pieces.size())
     notes.push_back("segments, or parts of them, are in no solid and left out");
 }
@@ -94,9 +94,9 @@ void describe_regions(const std::vector<Pls::Region>& regions, std::vector<std::
   const auto limited = std::count_if(regions.begin(), regions.end(),
                                      [](const Pls::Region& r) { return r.max_volume > 0; });
   if (limited > 0)
-    notes.push_back("the largest volumes of tets that " + std::to_string(limited) +
-                    (limited == 1 ? " region wants" : " regions want") +
-                    " are not kept: lower the size instead");
+    notes.push_back(concat({"the largest volumes of tets that ", limited,
+                            limited == 1 ? " region wants" : " regions want",
+                            " are not kept: lower the size instead"}));
 }
 
 // ---- Scale ---------------------------------------------------------------------------------

@@ -25,9 +25,7 @@ Status check_seeds(const Pls& domain) {
   const auto is_good = [](const Point3& p) { return is_finite(p); };
   for (Index f = 0; f < domain.facets.size(); ++f)
     if (!all_of(domain.facets[f].holes, is_good))
-      return Error{ErrorCode::kInvalidGeometry,
-                   "a hole of facet " + std::to_string(f) + " is not finite",
-                   {f}};
+      return Error{ErrorCode::kInvalidGeometry, {"a hole of facet ", f, " is not finite"}, {f}};
   const bool is_fine =
       all_of(domain.holes, is_good) &&
       all_of(domain.regions, [](const Pls::Region& region) { return is_finite(region.seed); });
@@ -40,14 +38,12 @@ Status check_names(const Pls& domain) {
   for (Index f = 0; f < domain.facets.size(); ++f)
     for (const Corners3& polygon : domain.facets[f].polygons)
       if (!all_of(polygon, is_point))
-        return Error{ErrorCode::kInvalidGeometry,
-                     "facet " + std::to_string(f) + " names a point that there is not",
-                     {f}};
+        return Error{
+            ErrorCode::kInvalidGeometry, {"facet ", f, " names a point that there is not"}, {f}};
   for (Index s = 0; s < domain.segments.size(); ++s)
     if (!is_point(domain.segments[s].a) || !is_point(domain.segments[s].b))
-      return Error{ErrorCode::kInvalidGeometry,
-                   "segment " + std::to_string(s) + " names a point that there is not",
-                   {s}};
+      return Error{
+          ErrorCode::kInvalidGeometry, {"segment ", s, " names a point that there is not"}, {s}};
   return Ok{};
 }
 
@@ -170,7 +166,7 @@ bool covers_hull(const PlanarTriangulation& graph, double flatness) {
 }
 
 Error facet_error(Index facet, const std::string& what) {
-  return {ErrorCode::kInvalidGeometry, "facet " + std::to_string(facet) + " " + what, {facet}};
+  return {ErrorCode::kInvalidGeometry, {"facet ", facet, " ", what}, {facet}};
 }
 
 // Whether a facet is one of the domain, or a union of several.
@@ -191,9 +187,9 @@ Result<PolyhedralComplex::Facet> flatten(const Pls& domain, Index number, Index 
   Pslg graph = graph_of(domain.points, facet, flat);
   if (origin == Origin::kMerged)
     if (Status s = find_holes_of_union(facet, flat, domain.points, flatness, graph); !s)
-      return facet_error(source, "is no polygon: " + s.error().message);
+      return facet_error(source, concat({"is no polygon: ", s.error().message}));
   const auto closed = triangulate(graph, {HoleRule::kSeeds, CrossingRule::kRefuse, {}});
-  if (!closed) return facet_error(source, "is no polygon: " + closed.error().message);
+  if (!closed) return facet_error(source, concat({"is no polygon: ", closed.error().message}));
   if (closed->delaunay.duplicate_count() > 0)
     return facet_error(source, "has corners that coincide in its plane");
   for (auto triangle : closed->triangles()) {
@@ -243,11 +239,10 @@ void mark_vertices(const std::vector<Index>& twin, const std::vector<Index>& fre
   for (Index v = 0; v < twin.size(); ++v)
     if (twin[v] != v) complex.is_vertex[v] = 0, ++coincident;
   for (const Index v : freed) complex.is_vertex[v] = 0;
-  if (coincident > 0)
-    complex.notes.push_back(std::to_string(coincident) + " points coincide with others");
+  if (coincident > 0) complex.notes.push_back(concat({coincident, " points coincide with others"}));
   if (!freed.empty())
-    complex.notes.push_back(std::to_string(freed.size()) +
-                            " points inside flat parts of the surface are dropped");
+    complex.notes.push_back(
+        concat({freed.size(), " points inside flat parts of the surface are dropped"}));
 }
 
 }  // namespace

@@ -172,15 +172,15 @@ Status SolidPacking::check_surface() const {
     if (sides[k] != 2) error.ids.push_back(complex_.facets[facet_of(k)].source);
   sort_unique(error.ids);
   if (!error.ids.empty()) {
-    error.message = "facet " + std::to_string(error.ids[0]) +
-                    " does not appear in the triangulation: a larger beta is needed";
+    error.message = concat(
+        {"facet ", error.ids[0], " does not appear in the triangulation: a larger beta is needed"});
     return error;
   }
   for (Index k = 0; k < is_edge.size(); ++k)
     if (!is_edge[k]) error.ids.insert(error.ids.end(), {surface_.pieces[k][0]});
   if (error.ids.empty()) return Ok{};
-  error.message = "a segment does not appear in the triangulation near point " +
-                  std::to_string(error.ids[0]) + ": a larger beta is needed";
+  error.message = concat({"a segment does not appear in the triangulation near point ",
+                          error.ids[0], ": a larger beta is needed"});
   return error;
 }
 
@@ -247,8 +247,8 @@ Status SolidPacking::check_sides() const {
   if (error.ids.empty()) return Ok{};
   const bool is_all = error.ids.size() == complex_.facets.size();
   error.message = is_all ? "the facets enclose no solid: the surface is open"
-                         : "facet " + std::to_string(error.ids[0]) +
-                               " bounds no solid on either side: the surface is open";
+                         : concat({"facet ", error.ids[0],
+                                   " bounds no solid on either side: the surface is open"});
   return error;
 }
 
@@ -365,7 +365,7 @@ void SolidPacking::follow_change(Index v, Index region) {
   waits_.resize(size);
   for (const Index t : changed) {
     const Tet& corners = topology().vertices(t);
-    if (!contains(corners, v)) continue;
+    if (!is_among(v, corners)) continue;
     region_of_[t] = region;
     waits_[t] = 0;
     push(t);

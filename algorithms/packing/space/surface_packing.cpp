@@ -19,8 +19,8 @@ namespace {
 
 Error not_positive_at(Point3 p) {
   return {ErrorCode::kUsage,
-          "the spacing is not positive at (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
-              ", " + std::to_string(p.z) + ")",
+          {"the spacing is not positive at (", std::to_string(p.x), ", ", std::to_string(p.y), ", ",
+           std::to_string(p.z), ")"},
           {}};
 }
 
