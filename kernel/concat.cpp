@@ -7,7 +7,7 @@ namespace wellspaced {
 namespace {
 
 template <class Number>
-void append_number(std::string& text, Number number) {
+void append_digits(std::string& text, Number number) {
   std::array<char, 32> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
   text.append(digits.data(), end);
@@ -24,11 +24,11 @@ void TextPiece::append_to(std::string& text) const {
       text += letter_;
       return;
     case Kind::kSigned:
-      return append_number(text, signed_);
+      return append_digits(text, signed_);
     case Kind::kUnsigned:
-      return append_number(text, unsigned_);
+      return append_digits(text, unsigned_);
     case Kind::kReal:
-      return append_number(text, real_);
+      return append_digits(text, real_);
   }
 }
 

@@ -38,7 +38,8 @@ constexpr Range between(double low, double high) { return {low, high, true}; }
 std::span<const Option> common_options();
 
 /// The options and operands given. The typed getters check what they read; the first complaint
-/// sticks in status(), so that a command reads all its options and asks once.
+/// sticks in status(), so that a command reads all its options and asks once. They are cold: who
+/// calls them is compiled for size.
 class Arguments {
  public:
   /// Understands "--name value" and "--name=value"; "--" ends the options; "-" is an operand.
@@ -48,25 +49,25 @@ class Arguments {
                                  std::span<const std::string> words);
 
   const std::vector<std::string>& operands() const { return operands_; }
-  bool has(std::string_view name) const;
+  [[gnu::cold]] bool has(std::string_view name) const;
   /// The value of the option, if it is given.
-  std::optional<std::string> value(std::string_view name) const;
+  [[gnu::cold]] std::optional<std::string> value(std::string_view name) const;
   /// All values of a repeatable option, in order.
-  std::vector<std::string> values(std::string_view name) const;
-  std::string text(std::string_view name, std::string_view otherwise) const;
+  [[gnu::cold]] std::vector<std::string> values(std::string_view name) const;
+  [[gnu::cold]] std::string text(std::string_view name, std::string_view otherwise) const;
 
-  double number(std::string_view name, double otherwise, Range range = {});
-  std::int64_t integer(std::string_view name, std::int64_t otherwise, Range range);
+  [[gnu::cold]] double number(std::string_view name, double otherwise, Range range = {});
+  [[gnu::cold]] std::int64_t integer(std::string_view name, std::int64_t otherwise, Range range);
   /// Which of `names` is given.
-  std::size_t choice(std::string_view name, std::size_t otherwise,
-                     std::initializer_list<std::string_view> names);
+  [[gnu::cold]] std::size_t choice(std::string_view name, std::size_t otherwise,
+                                   std::initializer_list<std::string_view> names);
   /// A comma-separated list of numbers; empty if the option is not given.
-  std::vector<double> numbers(std::string_view name, Range range = {});
+  [[gnu::cold]] std::vector<double> numbers(std::string_view name, Range range = {});
   /// Lets a command complain about a value itself.
-  void refuse(std::string_view name, std::string_view complaint);
+  [[gnu::cold]] void refuse(std::string_view name, std::string_view complaint);
 
   /// kUsage with the first complaint, if there was one.
-  Status status() const;
+  [[gnu::cold]] Status status() const;
 
  private:
   double checked_number(std::string_view name, std::string_view text, Range range);

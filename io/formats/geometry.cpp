@@ -36,6 +36,13 @@ bool lies_in_plane(const Geometry& g) {
 
 }  // namespace
 
+Geometry::Geometry() = default;
+Geometry::Geometry(const Geometry&) = default;
+Geometry::Geometry(Geometry&&) noexcept = default;
+Geometry& Geometry::operator=(const Geometry&) = default;
+Geometry& Geometry::operator=(Geometry&&) noexcept = default;
+Geometry::~Geometry() = default;
+
 void add_facet(Geometry& geometry, Pls::Facet facet) {
   auto& triangles = geometry.solid.facets;
   auto& polygons = geometry.polygons;

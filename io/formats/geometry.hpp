@@ -55,6 +55,14 @@ struct Geometry {
   /// Medit, MFEM, SU2, OFF, OBJ. Other formats have no place for it; readers skip comments.
   std::string remark;
 
+  // Compiled once, not wherever a reader or a command may end.
+  Geometry();
+  Geometry(const Geometry&);
+  Geometry(Geometry&&) noexcept;
+  Geometry& operator=(const Geometry&);
+  Geometry& operator=(Geometry&&) noexcept;
+  ~Geometry();
+
   std::size_t point_count() const {
     return dimension == 2 ? mesh.points.size() : solid.points.size();
   }

@@ -98,6 +98,12 @@ JsonWriter& JsonWriter::literal(std::string_view json) {
   return *this;
 }
 
+JsonWriter& JsonWriter::integer(TextPiece number) {
+  separate();
+  number.append_to(text_);
+  return *this;
+}
+
 void JsonWriter::separate() {
   if (!first_) text_ += ',';
   first_ = false;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "wellspaced/kernel/concat.hpp"
+
 namespace wellspaced {
 
 /// Builds one JSON text. Numbers are the shortest that read back the same; NaN and infinities,
@@ -23,16 +25,14 @@ class JsonWriter {
   JsonWriter& end_object() { return close('}'); }
   JsonWriter& begin_array() { return open('['); }
   JsonWriter& end_array() { return close(']'); }
-  JsonWriter& key(std::string_view name);
+  [[gnu::cold]] JsonWriter& key(std::string_view name);
 
   JsonWriter& value(std::string_view text);
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
   JsonWriter& value(double number);
   JsonWriter& value(std::same_as<bool> auto truth) { return literal(truth ? "true" : "false"); }
   template <std::integral T>
-  requires(!std::same_as<T, bool>) JsonWriter& value(T number) {
-    return literal(std::to_string(number));
-  }
+  requires(!std::same_as<T, bool>) JsonWriter& value(T number) { return integer(number); }
   JsonWriter& null() { return literal("null"); }
   /// A value that is JSON already.
   JsonWriter& raw(std::string_view json) { return literal(json); }
@@ -49,6 +49,7 @@ class JsonWriter {
   JsonWriter& open(char bracket);
   JsonWriter& close(char bracket);
   JsonWriter& literal(std::string_view json);
+  JsonWriter& integer(TextPiece number);
   void separate();
 
   std::string text_;

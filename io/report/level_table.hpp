@@ -16,6 +16,6 @@ struct LevelTable {
 
 /// The tables side by side, levels of the same number in the same line. Columns follow the tables
 /// of chapter 8; what was measured at no level has no column, what is missing at one is "-".
-std::string level_tables(std::span<const LevelTable> tables);
+[[gnu::cold]] std::string level_tables(std::span<const LevelTable> tables);
 
 }  // namespace wellspaced

@@ -44,6 +44,6 @@ struct HtmlReport {
 /// Requires: at least one method, each with at least one level; meshes and origins in range, and
 ///   every origin names the same input mesh.
 /// Cost: O(n log n) time in the nodes drawn; about 35 bytes of text for each of them in a level.
-std::string report_html(const HtmlReport& report);
+[[gnu::cold]] std::string report_html(const HtmlReport& report);
 
 }  // namespace wellspaced

@@ -9,6 +9,6 @@
 namespace wellspaced {
 
 /// A row for each level from level 1 on.
-std::string selection_table(std::span<const SelectionCheck> levels);
+[[gnu::cold]] std::string selection_table(std::span<const SelectionCheck> levels);
 
 }  // namespace wellspaced

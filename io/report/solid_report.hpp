@@ -23,6 +23,6 @@ struct SolidReport {
 /// Requires: a mesh with indices in range and finite coordinates. Degenerate: flat tets are left
 ///   out.
 /// Cost: linear; 22 bytes of text a tet.
-std::string solid_report_html(const SolidReport& report);
+[[gnu::cold]] std::string solid_report_html(const SolidReport& report);
 
 }  // namespace wellspaced

@@ -8,6 +8,6 @@
 namespace wellspaced {
 
 /// A row for each level, then the complexities.
-std::string solver_table(const SolverHierarchy& solver);
+[[gnu::cold]] std::string solver_table(const SolverHierarchy& solver);
 
 }  // namespace wellspaced

@@ -1,23 +1,14 @@
 // Cells of the tables for the terminal.
 #pragma once
 
-#include <algorithm>
-#include <charconv>
 #include <string>
-
-#include "wellspaced/kernel/concat.hpp"
+#include <string_view>
 
 namespace wellspaced {
 
 /// A number with so many digits after the point.
-inline std::string decimal(double value, int digits = 2) {
-  char text[400];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits);
-  return {text, end.ptr};
-}
+[[gnu::cold]] std::string decimal(double value, int digits = 2);
 
-inline std::string right_aligned(const std::string& text, std::size_t width) {
-  return concat({std::string(width - std::min(width, text.size()), ' '), text});
-}
+[[gnu::cold]] std::string right_aligned(std::string_view text, std::size_t width);
 
 }  // namespace wellspaced

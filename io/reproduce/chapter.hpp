@@ -22,6 +22,6 @@ struct ExhibitKind {
 std::span<const ExhibitKind> exhibit_kinds();
 
 /// One of them. Errors: those of Laboratory::runs and of the generators; kCancelled.
-Result<Exhibit> make_exhibit(const ExhibitKind& kind, Laboratory& laboratory);
+[[gnu::cold]] Result<Exhibit> make_exhibit(const ExhibitKind& kind, Laboratory& laboratory);
 
 }  // namespace wellspaced

@@ -19,7 +19,7 @@ struct ChapterPage {
 /// The page as an HTML text without scripts: what was made and how near it is, the figures that
 /// differ with their reasons, then every exhibit with its tables and pictures.
 /// The same exhibits give the same bytes. Requires: pictures are SVG texts. Cost: linear.
-std::string chapter_html(const ChapterPage& page);
+[[gnu::cold]] std::string chapter_html(const ChapterPage& page);
 
 /// How near the exhibits are to the thesis: figures compared, and how many of them differ; over the
 /// function-based rows with at least 50 published nodes of the comparable tables, how many there
@@ -28,9 +28,9 @@ struct Agreement {
   std::size_t compared = 0, differing = 0, size_rows = 0;
   double largest_size_percent = 0;
 };
-Agreement agreement_of(std::span<const Exhibit> exhibits);
+[[gnu::cold]] Agreement agreement_of(std::span<const Exhibit> exhibits);
 
 /// The agreement in a sentence or two.
-std::string agreement_text(const Agreement& agreement);
+[[gnu::cold]] std::string agreement_text(const Agreement& agreement);
 
 }  // namespace wellspaced

@@ -80,10 +80,10 @@ struct Deviation {
 };
 
 /// All figures that differ, in the order of the tables, without those that repeat.
-std::vector<Deviation> deviations(const Exhibit& exhibit);
+[[gnu::cold]] std::vector<Deviation> deviations(const Exhibit& exhibit);
 
 /// The cell in the text of all tables; "-" where there is none.
-std::string figure_text(const std::optional<double>& value, int digits);
-std::string difference_text(const ExhibitColumn& column, const ExhibitCell& cell);
+[[gnu::cold]] std::string figure_text(const std::optional<double>& value, int digits);
+[[gnu::cold]] std::string difference_text(const ExhibitColumn& column, const ExhibitCell& cell);
 
 }  // namespace wellspaced

@@ -15,8 +15,8 @@ Experiment suite_experiment(const std::string& mesh, CoarseningMethod method);
 
 /// A half of the table of that name. Where the mesh is lost (AIRFOIL 2), ours is empty.
 /// Errors: those of Laboratory::runs.
-Result<ExhibitTable> level_table(Laboratory& laboratory, const std::string& table,
-                                 const std::string& mesh, CoarseningMethod method);
+[[gnu::cold]] Result<ExhibitTable> level_table(Laboratory& laboratory, const std::string& table,
+                                               const std::string& mesh, CoarseningMethod method);
 
 /// What is compared under the word `nodes`: means over the runs that have the level.
 ExhibitCell mean_cell(const std::optional<RunSummary>& summary);

@@ -11,9 +11,10 @@ namespace wellspaced {
 /// The reason for the difference in row `row` and column `column` of the table: one that is known
 /// of the place, or that the column tells itself (the smallest angle of all runs is an extreme).
 /// Returns: "not known" where it is not.
-std::string known_reason(const ExhibitTable& table, std::size_t row, std::size_t column);
+[[gnu::cold]] std::string known_reason(const ExhibitTable& table, std::size_t row,
+                                       std::size_t column);
 
 /// How lists of differences call a column: its group first.
-std::string column_title(const ExhibitColumn& column);
+[[gnu::cold]] std::string column_title(const ExhibitColumn& column);
 
 }  // namespace wellspaced

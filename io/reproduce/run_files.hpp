@@ -11,12 +11,13 @@
 namespace wellspaced {
 
 /// The runs as a JSON text. parameters: all that they depend on.
-std::string runs_json(const std::string& parameters, std::span<const RunStatistics> runs);
+[[gnu::cold]] std::string runs_json(const std::string& parameters,
+                                    std::span<const RunStatistics> runs);
 
 /// The runs in the file `path`, whose text runs_json made with the same parameters; every figure
 /// reads back as it was (an infinite gradation as none).
 /// Returns: nothing if there is no such file, or it was made with others, or it is damaged.
-std::optional<std::vector<RunStatistics>> read_runs(const std::string& path,
-                                                    const std::string& parameters);
+[[gnu::cold]] std::optional<std::vector<RunStatistics>> read_runs(const std::string& path,
+                                                                  const std::string& parameters);
 
 }  // namespace wellspaced

@@ -28,7 +28,7 @@ struct SuiteMesh {
 /// as it measured them for Table 8.1 (CHOICES 5).
 /// data: the folder with the files of the original meshes; empty: generated ones stand in.
 /// Errors: those of read_mesh, of a file that is not there; those of the generators.
-Result<SuiteMesh> make_suite_mesh(const std::string& name, const std::string& data, double scale,
-                                  const Progress& progress);
+[[gnu::cold]] Result<SuiteMesh> make_suite_mesh(const std::string& name, const std::string& data,
+                                                double scale, const Progress& progress);
 
 }  // namespace wellspaced

@@ -9,6 +9,6 @@ namespace wellspaced {
 
 /// Sections 8.4.1 to 8.4.3 as tables of `exhibit`: C = 4 and 8 on the graded meshes.
 /// Errors: those of Laboratory::runs.
-Result<Exhibit> work_exhibit(Laboratory& laboratory, Exhibit exhibit);
+[[gnu::cold]] Result<Exhibit> work_exhibit(Laboratory& laboratory, Exhibit exhibit);
 
 }  // namespace wellspaced

@@ -12,12 +12,14 @@
 
 namespace wellspaced {
 
+/// Appends the `size` bytes of a number at `number`, which stand in the machine's order, in the
+/// order `order`.
+void append_in_order(std::string& bytes, const void* number, std::size_t size, std::endian order);
+
 /// Appends the bytes of `value` in the order `order`.
 template <class T>
 void append_bytes(std::string& bytes, T value, std::endian order = std::endian::little) {
-  auto raw = bit_cast<std::array<char, sizeof(T)>>(value);
-  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
-  bytes.append(raw.data(), raw.size());
+  append_in_order(bytes, &value, sizeof(T), order);
 }
 
 /// The value of the bytes from `offset` on. Requires: sizeof(T) bytes are there.

@@ -27,6 +27,8 @@ TextWriter& TextWriter::operator<<(std::string_view text) {
   return *this;
 }
 
+TextWriter& TextWriter::operator<<(char c) { return *this << std::string_view(&c, 1); }
+
 void TextWriter::pass_on() {
   if (!report(progress_, "write", passed_ + buffer_.size(), 0)) error_ = ECANCELED;
   flush();

@@ -26,7 +26,7 @@ class TextWriter {
   explicit TextWriter(std::FILE* stream, Progress progress = {})
       : stream_(stream), progress_(std::move(progress)) {}
 
-  TextWriter& operator<<(char c) { return *this << std::string_view(&c, 1); }
+  TextWriter& operator<<(char c);
   TextWriter& operator<<(const char* text) { return *this << std::string_view(text); }
   TextWriter& operator<<(std::string_view text);
   TextWriter& operator<<(double value);
