@@ -39,9 +39,9 @@ class TextPiece {
 
 /// The pieces, one after the other: concat({"point ", 3, " of ", name}). Compiled once, where a
 /// chain of + is compiled anew in every place.
-[[gnu::cold]] std::string concat(std::initializer_list<TextPiece> pieces);
+std::string concat(std::initializer_list<TextPiece> pieces);
 
 /// Adds the pieces to `text`, of which none may be a part.
-[[gnu::cold]] void append(std::string& text, std::initializer_list<TextPiece> pieces);
+void append(std::string& text, std::initializer_list<TextPiece> pieces);
 
 }  // namespace wellspaced

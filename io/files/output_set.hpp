@@ -30,11 +30,11 @@ class OutputSet {
   /// its permissions; a symbolic link is followed.
   /// Errors: kUsage if it cannot be created, or is in the set already; kLimit if the disk is full;
   /// kCancelled.
-  Status add(const std::string& path, const std::function<void(TextWriter&)>& write);
+  [[gnu::cold]] Status add(const std::string& path, const std::function<void(TextWriter&)>& write);
 
   /// Makes the directory `path`, parents included, unless it is there.
   /// Errors: kUsage if that cannot be done.
-  Status make_directory(const std::string& path);
+  [[gnu::cold]] Status make_directory(const std::string& path);
 
   /// Whether the standard output is in the set.
   bool uses_standard_output() const;
@@ -42,7 +42,7 @@ class OutputSet {
   /// Publishes the set and empties it. The standard output and devices come first: if they fail,
   /// no file has changed.
   /// Errors: kLimit if a write fails; kUsage if a file cannot be moved into place.
-  Status commit();
+  [[gnu::cold]] Status commit();
 
   /// For a signal handler that is about to end the process: removes what would remain of the set.
   /// Returns false, and does nothing, while files are being opened, moved or removed: ask again.

@@ -47,7 +47,8 @@ struct ReadOptions {
 /// file "X", but X.node or X.poly, these are read.
 /// Errors: kUnreadable, kInvalidGeometry and kLimit as the readers say; kUsage for a format that
 /// does not exist or cannot be read.
-Result<Geometry> read_geometry(const std::string& path, const ReadOptions& options = {});
+[[gnu::cold]] Result<Geometry> read_geometry(const std::string& path,
+                                             const ReadOptions& options = {});
 
 /// Checks and completes the triangle mesh of `geometry`: see prepare_mesh(). What a user should
 /// know (turned triangles, points in no triangle) joins its notes. `name` is for messages.
@@ -55,7 +56,7 @@ Status prepare_geometry(Geometry& geometry, const std::string& name, const Progr
 
 /// Reads a triangle mesh in the plane and prepares it.
 /// Errors: also kUnreadable where the file holds no triangles.
-Result<Geometry> read_mesh(const std::string& path, const ReadOptions& options = {});
+[[gnu::cold]] Result<Geometry> read_mesh(const std::string& path, const ReadOptions& options = {});
 
 /// The domain that a geometry in the plane describes; its triangles are left out.
 Pslg to_pslg(Geometry geometry);
@@ -66,8 +67,8 @@ Pls to_pls(Geometry geometry);
 /// Writes to `path` in the format of that name, or of its extension where `format` is empty.
 /// Errors: kUsage for a format that does not exist, cannot be written or has no place for the
 /// geometry; kUsage and kLimit as OutputSet::add().
-Status write_geometry(OutputSet& outputs, const std::string& path, const std::string& format,
-                      const Geometry& geometry);
+[[gnu::cold]] Status write_geometry(OutputSet& outputs, const std::string& path,
+                                    const std::string& format, const Geometry& geometry);
 
 /// Whether an output of that name and format, as they are given on a command line, is a set of
 /// Triangle's files: also where neither says anything.

@@ -32,8 +32,9 @@ struct HierarchyFormat {
 /// from the coarsest, what SolverLevel says, and `coarse`: those of its nodes, by their numbers in
 /// the level, that the next one keeps (all others are fine).
 /// Errors: kUsage for a format that does not exist or cannot be written; those of OutputSet.
-Status write_hierarchy(OutputSet& outputs, const std::string& directory, const Hierarchy& hierarchy,
-                       const CoarseningOptions& options, const HierarchyFormat& format);
+[[gnu::cold]] Status write_hierarchy(OutputSet& outputs, const std::string& directory,
+                                     const Hierarchy& hierarchy, const CoarseningOptions& options,
+                                     const HierarchyFormat& format);
 
 /// The names of methods, schemes and metrics on the command line and in files.
 std::string_view name_of(CoarseningMethod method);

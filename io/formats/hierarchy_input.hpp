@@ -27,6 +27,7 @@ struct HierarchyInput {
 /// triangle meshes, with level_K.origin and level_K.spacing, and hierarchy.json, where they exist.
 /// Errors: as read_geometry() and parse_json(); kUnreadable where there is no level_0 or none of
 /// those listed, a level holds no triangles, or a column of numbers does not fit its mesh.
-Result<HierarchyInput> read_hierarchy(const std::string& directory, const Progress& progress = {});
+[[gnu::cold]] Result<HierarchyInput> read_hierarchy(const std::string& directory,
+                                                    const Progress& progress = {});
 
 }  // namespace wellspaced

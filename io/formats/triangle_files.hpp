@@ -18,12 +18,14 @@ namespace wellspaced {
 /// stand for X.poly; but where there is an X.ele, the facets are those of X.face if that exists,
 /// and the segments those of X.edge. Errors: as the readers of triangle_text.hpp; kUnreadable if
 /// `path` is missing or nothing holds points.
-Result<Geometry> read_triangle_set(const std::string& path, std::uint64_t largest = kLargestInput,
-                                   const Progress& progress = {});
+[[gnu::cold]] Result<Geometry> read_triangle_set(const std::string& path,
+                                                 std::uint64_t largest = kLargestInput,
+                                                 const Progress& progress = {});
 
 /// Reads the one file `path`: a .node, or a .poly or .smesh (which may refer to its .node).
-Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t largest = kLargestInput,
-                                    const Progress& progress = {});
+[[gnu::cold]] Result<Geometry> read_triangle_file(const std::string& path,
+                                                  std::uint64_t largest = kLargestInput,
+                                                  const Progress& progress = {});
 
 /// Whether a set has an .ele without elements and a .poly without segments, holes and regions.
 enum class EmptyFiles { kLeaveOut, kWrite };
@@ -31,15 +33,18 @@ enum class EmptyFiles { kLeaveOut, kWrite };
 /// Writes the set that `path`, with or without the extension of a file of it, stands for: .node,
 /// .ele, .poly and, if that is the extension, .edge. A mesh in space has .face and .edge for the
 /// .poly, unless it comes with polygons, holes or regions.
-Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry,
-                          EmptyFiles empty = EmptyFiles::kLeaveOut);
+[[gnu::cold]] Status write_triangle_set(OutputSet& outputs, const std::string& path,
+                                        const Geometry& geometry,
+                                        EmptyFiles empty = EmptyFiles::kLeaveOut);
 
 /// Writes a domain as one .poly file with its points.
-Status write_poly_file(OutputSet& outputs, const std::string& path, const Geometry& geometry);
+[[gnu::cold]] Status write_poly_file(OutputSet& outputs, const std::string& path,
+                                     const Geometry& geometry);
 
 /// Writes a domain in space as one .smesh file with its points.
 /// Errors: kUsage where a facet has holes or several polygons, or the domain lies in the plane.
-Status write_smesh_file(OutputSet& outputs, const std::string& path, const Geometry& geometry);
+[[gnu::cold]] Status write_smesh_file(OutputSet& outputs, const std::string& path,
+                                      const Geometry& geometry);
 
 /// "dir/X" for "dir/X.node", "dir/X.ele" and the other extensions of the set; else `path` itself.
 std::string triangle_set_name(const std::string& path);

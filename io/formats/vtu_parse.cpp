@@ -64,8 +64,8 @@ class VtuParser {
   std::uint64_t header(std::string_view bytes, std::size_t i) const;
   std::uint64_t attribute_number(const MarkupTag& tag, std::string_view key,
                                  std::uint64_t otherwise);
-  void fail(std::uint64_t line, const std::string& message,
-            ErrorCode code = ErrorCode::kUnreadable);
+  [[gnu::cold]] void fail(std::uint64_t line, std::string_view message,
+                          ErrorCode code = ErrorCode::kUnreadable);
   bool ok() const { return !error_; }
 
   MarkupReader reader_;
@@ -79,7 +79,7 @@ class VtuParser {
   VtkGrid grid_;
 };
 
-void VtuParser::fail(std::uint64_t line, const std::string& message, ErrorCode code) {
+void VtuParser::fail(std::uint64_t line, std::string_view message, ErrorCode code) {
   if (ok()) error_ = Error{code, {source_.name, ":", line, ": ", message}};
 }
 

@@ -32,6 +32,6 @@ struct JsonValue::Member {
 /// Parses one JSON text (RFC 8259), at most 64 levels deep. Numbers must be finite doubles; of
 /// members with the same name, find() gives the first. `name` is for messages.
 /// Errors: kUnreadable, naming the line. Cost: linear.
-Result<JsonValue> parse_json(std::string_view text, const std::string& name);
+[[gnu::cold]] Result<JsonValue> parse_json(std::string_view text, const std::string& name);
 
 }  // namespace wellspaced

@@ -31,6 +31,6 @@ struct Chart {
 /// Draws the chart, a legend below it, 480 pixels wide. A linear axis begins at 0 unless there are
 /// negative values. Points that are not finite, or not positive on a logarithmic axis, are left
 /// out. The same chart gives the same bytes. Cost: linear.
-void write_chart_svg(TextWriter& out, const Chart& chart);
+[[gnu::cold]] void write_chart_svg(TextWriter& out, const Chart& chart);
 
 }  // namespace wellspaced

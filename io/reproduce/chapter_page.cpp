@@ -16,11 +16,11 @@ namespace {
 constexpr double kFewNodes = 50;
 constexpr std::size_t kLongTable = 12;  // rows; longer ones may break over pages
 
-std::string tagged(const std::string& tag, const std::string& text, const std::string& more = "") {
+std::string tagged(std::string_view tag, std::string_view text, std::string_view more = "") {
   return concat({'<', tag, more, '>', text, "</", tag, '>'});
 }
 
-std::string paragraph(const std::string& text, const std::string& kind) {
+std::string paragraph(std::string_view text, std::string_view kind) {
   return text.empty()
              ? ""
              : concat({tagged("p", escape_markup(text), concat({" class=\"", kind, "\""})), '\n'});
@@ -49,7 +49,7 @@ void add_sizes(const ExhibitTable& half, Agreement& agreement) {
 // ---- Tables
 
 // Where a group begins, a rule stands left of it.
-std::string column_class(const ExhibitTable& table, std::size_t i, const std::string& more = "") {
+std::string column_class(const ExhibitTable& table, std::size_t i, std::string_view more = "") {
   const bool first = i > 0 && !table.columns[i].group.empty() &&
                      table.columns[i].group != table.columns[i - 1].group;
   const std::string names = concat({first ? "first" : "", more.empty() ? "" : concat({' ', more})});
@@ -78,7 +78,7 @@ std::string table_head(const ExhibitTable& table) {
                  '\n', tagged("tr", names), "\n</thead>\n"});
 }
 
-std::string our_line(const ExhibitTable& table, std::size_t row, const std::string& whose) {
+std::string our_line(const ExhibitTable& table, std::size_t row, std::string_view whose) {
   std::string line = concat({tagged("th", escape_markup(table.rows[row].label), " scope=\"row\""),
                              tagged("td", whose, " class=\"whose\"")});
   for (std::size_t i = 0; i < table.columns.size(); ++i)
@@ -88,7 +88,7 @@ std::string our_line(const ExhibitTable& table, std::size_t row, const std::stri
 }
 
 template <class Text>
-std::string other_line(const ExhibitTable& table, const ExhibitRow& row, const std::string& whose,
+std::string other_line(const ExhibitTable& table, const ExhibitRow& row, std::string_view whose,
                        Text text) {
   std::string line = concat({"<td></td>", tagged("td", whose, " class=\"whose\"")});
   for (std::size_t i = 0; i < table.columns.size(); ++i)
@@ -96,7 +96,7 @@ std::string other_line(const ExhibitTable& table, const ExhibitRow& row, const s
   return concat({tagged("tr", line, concat({" class=\"", whose, '"'})), '\n'});
 }
 
-std::string row_lines(const ExhibitTable& table, std::size_t row, const std::string& whose) {
+std::string row_lines(const ExhibitTable& table, std::size_t row, std::string_view whose) {
   const ExhibitRow& cells = table.rows[row];
   std::string lines = our_line(table, row, whose);
   if (!has_published(cells)) return lines;

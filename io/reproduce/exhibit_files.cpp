@@ -18,12 +18,12 @@ namespace {
 using TextRow = std::vector<std::string>;
 
 // Characters, not bytes.
-std::size_t width_of(const std::string& text) {
+std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; }));
 }
 
-std::string padded_left(const std::string& text, std::size_t width) {
+std::string padded_left(std::string_view text, std::size_t width) {
   return concat({std::string(width - std::min(width, width_of(text)), ' '), text});
 }
 

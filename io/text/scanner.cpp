@@ -56,8 +56,8 @@ std::string in_quotes(std::string_view token) {
   return concat({result, token.size() > kLongest ? "...'" : "'"});
 }
 
-Scanner::Scanner(std::string_view text, TextSource source, ScanRules rules)
-    : source_(std::move(source)), rules_(rules), size_(text.size()), rest_(text) {
+Scanner::Scanner(std::string_view text, const TextSource& source, ScanRules rules)
+    : source_(source), rules_(rules), size_(text.size()), rest_(text) {
   if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark)
     rest_.remove_prefix(kByteOrderMark.size());
 }

@@ -27,7 +27,7 @@ struct ScanRules {
 class Scanner {
  public:
   /// Requires: `text` outlives the scanner. kCancelled sticks where the source says stop.
-  Scanner(std::string_view text, TextSource source, ScanRules rules = {});
+  Scanner(std::string_view text, const TextSource& source, ScanRules rules = {});
 
   /// Moves to the next line that holds a field. False at the end and after a failure.
   bool next_line();
