@@ -20,6 +20,12 @@ void TextPiece::append_to(std::string& text) const {
     case Kind::kWords:
       text += words_;
       return;
+    case Kind::kString:
+      text += *string_;
+      return;
+    case Kind::kLiteral:
+      text += literal_;
+      return;
     case Kind::kLetter:
       text += letter_;
       return;

@@ -13,9 +13,9 @@ namespace wellspaced {
 /// Requires: the words outlive the piece.
 class TextPiece {
  public:
-  TextPiece(std::string_view words) : words_(words) {}
-  TextPiece(const std::string& words) : words_(words) {}
-  TextPiece(const char* words) : words_(words) {}
+  TextPiece(std::string_view words) : kind_(Kind::kWords), words_(words) {}
+  TextPiece(const std::string& words) : kind_(Kind::kString), string_(&words) {}
+  TextPiece(const char* words) : kind_(Kind::kLiteral), literal_(words) {}
   TextPiece(char letter) : kind_(Kind::kLetter), letter_(letter) {}
   TextPiece(double real) : kind_(Kind::kReal), real_(real) {}
   TextPiece(std::signed_integral auto integer) : kind_(Kind::kSigned), signed_(integer) {}
@@ -25,11 +25,13 @@ class TextPiece {
   void append_to(std::string& text) const;
 
  private:
-  enum class Kind { kWords, kLetter, kSigned, kUnsigned, kReal };
+  enum class Kind { kWords, kString, kLiteral, kLetter, kSigned, kUnsigned, kReal };
 
-  Kind kind_ = Kind::kWords;
+  Kind kind_;
   union {
     std::string_view words_;
+    const std::string* string_;
+    const char* literal_;
     char letter_;
     std::int64_t signed_;
     std::uint64_t unsigned_;

@@ -39,7 +39,7 @@ bool lies_in_plane(const Geometry& g) {
 Geometry::Geometry() = default;
 Geometry::Geometry(const Geometry&) = default;
 Geometry::Geometry(Geometry&&) noexcept = default;
-Geometry& Geometry::operator=(const Geometry&) = default;
+Geometry& Geometry::operator=(const Geometry& other) { return *this = Geometry(other); }
 Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 Geometry::~Geometry() = default;
 

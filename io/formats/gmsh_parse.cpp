@@ -3,13 +3,16 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "wellspaced/io/formats/gmsh.hpp"
 #include "wellspaced/io/text/bytes.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 #include "wellspaced/kernel/concat.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -189,7 +192,7 @@ void GmshParser::add_node(std::int64_t tag, const Point3& p) {
 
 void GmshParser::sort_nodes() {
   has_nodes_ = true;
-  std::sort(nodes_.begin(), nodes_.end());
+  sort(nodes_);
   const auto twice =
       std::adjacent_find(nodes_.begin(), nodes_.end(),
                          [](const auto& a, const auto& b) { return a.first == b.first; });
@@ -348,44 +351,55 @@ void GmshParser::read_section() {
   if (scanner_.ok()) pass_to_end_of(section);
 }
 
-// Keeps the first of the elements that `key` cannot tell apart. Returns how many it drops.
-template <class Element, class Key>
-std::size_t drop_repeated(std::vector<Element>& elements, std::vector<int>* markers, Key key) {
-  std::vector<std::pair<decltype(key(elements[0])), Index>> order;
-  order.reserve(elements.size());
-  for (Index i = 0; i < elements.size(); ++i) order.emplace_back(key(elements[i]), i);
-  std::sort(order.begin(), order.end());
+// Corners in ascending order; unused ones are kNoIndex.
+using SortedCorners = std::array<Index, 4>;
+
+// Which of the elements have the corners of an earlier one.
+std::vector<bool> find_repeated(std::span<const SortedCorners> elements) {
+  std::vector<Index> order(elements.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  sort(order, [&](Index i, Index j) { return elements[i] < elements[j]; });
   std::vector<bool> repeated(elements.size());
   for (std::size_t k = 1; k < order.size(); ++k)
-    repeated[order[k].second] = order[k].first == order[k - 1].first;
+    repeated[order[k]] = elements[order[k]] == elements[order[k - 1]];
+  return repeated;
+}
+
+// Keeps the elements that are not repeated. Returns how many it drops.
+template <class Element>
+std::size_t drop_repeated(std::vector<Element>& elements, const std::vector<bool>& repeated) {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (repeated[i]) continue;
-    elements[kept] = elements[i];
-    if (markers != nullptr) (*markers)[kept] = (*markers)[i];
-    ++kept;
-  }
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (!repeated[i]) elements[kept++] = elements[i];
   const std::size_t dropped = elements.size() - kept;
   elements.resize(kept);
-  if (markers != nullptr) markers->resize(kept);
   return dropped;
 }
 
-template <std::size_t kCorners>
-std::array<Index, kCorners> ascending_corners(std::array<Index, kCorners> corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
+template <class Element, class CornersOf>
+std::vector<bool> find_repeated(const std::vector<Element>& elements, CornersOf corners_of) {
+  std::vector<SortedCorners> corners;
+  corners.reserve(elements.size());
+  for (const Element& element : elements) {
+    corners.push_back(corners_of(element));
+    sort(corners.back());
+  }
+  return find_repeated(corners);
 }
 
 void GmshParser::drop_repeated_elements() {
   TetMesh& solid = geometry_.solid;
-  std::size_t dropped = drop_repeated(solid.segments, nullptr, [](const Segment& s) {
-    return ascending_corners(std::array{s.a, s.b});
-  });
-  dropped += drop_repeated(solid.facets, nullptr,
-                           [](const TetMesh::Facet& f) { return ascending_corners(f.points); });
-  dropped += drop_repeated(solid.tets, &tet_markers_,
-                           [](const std::array<Index, 4>& t) { return ascending_corners(t); });
+  std::size_t dropped =
+      drop_repeated(solid.segments, find_repeated(solid.segments, [](const Segment& s) {
+                      return SortedCorners{s.a, s.b, kNoIndex, kNoIndex};
+                    }));
+  dropped += drop_repeated(solid.facets, find_repeated(solid.facets, [](const TetMesh::Facet& f) {
+                             return SortedCorners{f.points[0], f.points[1], f.points[2], kNoIndex};
+                           }));
+  const std::vector<bool> tets =
+      find_repeated(solid.tets, [](const SortedCorners& tet) { return tet; });
+  drop_repeated(tet_markers_, tets);
+  dropped += drop_repeated(solid.tets, tets);
   if (dropped > 0)
     geometry_.notes.push_back(
         concat({scanner_.file(), ": ", dropped,

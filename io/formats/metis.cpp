@@ -70,7 +70,7 @@ void MetisParser::read_vertex(Index v) {
 }
 
 void MetisParser::check_edges() {
-  std::sort(arcs_.begin(), arcs_.end());
+  sort(arcs_);
   const auto name = [](std::pair<Index, Index> arc) {
     return concat({std::uint64_t{arc.first} + 1, "-", std::uint64_t{arc.second} + 1});
   };
@@ -132,7 +132,7 @@ void write_metis_graph(TextWriter& out, std::size_t vertices,
                        const std::vector<std::pair<Index, Index>>& edges) {
   std::vector<std::pair<Index, Index>> arcs = edges;
   for (const auto& [a, b] : edges) arcs.emplace_back(b, a);
-  std::sort(arcs.begin(), arcs.end());
+  sort(arcs);
   out << vertices << ' ' << edges.size() << '\n';
   auto arc = arcs.begin();
   for (std::size_t v = 0; v < vertices; ++v) {

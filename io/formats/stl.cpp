@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "wellspaced/io/formats/surface.hpp"
@@ -9,6 +8,7 @@
 #include "wellspaced/io/text/bytes.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 #include "wellspaced/kernel/concat.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -50,12 +50,7 @@ class StlSoup {
 std::vector<Index> StlSoup::number_points(std::vector<Point3>& points) const {
   std::vector<Index> order(corners_.size());
   for (Index i = 0; i < order.size(); ++i) order[i] = i;
-  const auto key = [&](Index i) {
-    const auto& [x, y, z] = corners_[i];
-    return std::tuple(x, y, z);
-  };
-  std::sort(order.begin(), order.end(),
-            [&](Index i, Index j) { return std::pair(key(i), i) < std::pair(key(j), j); });
+  sort(order, [&](Index i, Index j) { return corners_[i] < corners_[j]; });
   std::vector<Index> first(corners_.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && corners_[order[k]] == corners_[order[k - 1]];

@@ -4,6 +4,7 @@
 
 #include "wellspaced/io/formats/space_domain.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -133,8 +134,7 @@ void write_edge(TextWriter& out, const Geometry& geometry) {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
       edges.push_back(ascending(from, to, 0));
   const auto ends = [](const Segment& s) { return std::pair(s.a, s.b); };
-  std::stable_sort(edges.begin(), edges.end(),
-                   [&](const Segment& s, const Segment& t) { return ends(s) < ends(t); });
+  sort(edges, [&](const Segment& s, const Segment& t) { return ends(s) < ends(t); });
   const auto last =
       std::unique(edges.begin(), edges.end(),
                   [&](const Segment& s, const Segment& t) { return ends(s) == ends(t); });

@@ -8,6 +8,7 @@
 
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
 #include "wellspaced/io/pictures/pen.hpp"
+#include "wellspaced/kernel/sort.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -158,8 +159,7 @@ std::vector<SeenFace> seen_faces(const TetMesh& mesh, const CutAwayOptions& opti
     if (dot(outwards, viewer) > 0)
       seen.push_back({nearness_of(solid, tet, viewer), {corners, !is_boundary, unit(outwards)}});
   }
-  std::stable_sort(seen.begin(), seen.end(),
-                   [](const Seen& a, const Seen& b) { return a.nearness < b.nearness; });
+  sort(seen, [](const Seen& a, const Seen& b) { return a.nearness < b.nearness; });
   std::vector<SeenFace> faces;
   for (const Seen& one : seen) faces.push_back(one.face);
   return faces;

@@ -8,6 +8,7 @@
 #include "wellspaced/io/text/base64.hpp"
 #include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/point_order.hpp"
+#include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
@@ -121,7 +122,7 @@ Ranks rank_nodes(const ReportLevel& level, const DrawnPoints& drawn) {
   for (Index node = 0; node < count; ++node)
     ranks.numbers[node] = drawn.number_of[origin_of(level, node)];
   const std::vector<Index> number_of_node = ranks.numbers;
-  std::sort(ranks.numbers.begin(), ranks.numbers.end());
+  sort(ranks.numbers);
   for (Index node = 0; node < count; ++node)
     ranks.rank_of[node] = static_cast<Index>(
         std::lower_bound(ranks.numbers.begin(), ranks.numbers.end(), number_of_node[node]) -
@@ -145,7 +146,7 @@ std::string encode_triangles(const TriangleMesh& mesh, const Ranks& ranks) {
                 triangle.end());
     sorted.push_back(triangle);
   }
-  std::sort(sorted.begin(), sorted.end());
+  sort(sorted);
   std::string bytes;
   Index last = 0;
   for (const auto& [a, b, c] : sorted) {
