@@ -22,6 +22,8 @@ enum class BendPlace { kBetween, kAnywhere };
 // so that bending ends by itself; this bounds it where chains are out of order.
 constexpr std::size_t kBendsPerPiece = 64;
 
+constexpr std::uint64_t kPiecesAQuestion = 256;
+
 // The double so many steps from x, or the last one on the way.
 double stepped(double x, int steps, double towards) {
   for (; steps > 0; --steps) x = std::nextafter(x, towards);
@@ -60,7 +62,7 @@ class ChainBender {
   ChainBender(Delaunay2& delaunay, std::span<const Segment> segments)
       : delaunay_(delaunay), segments_(segments) {}
 
-  Result<SegmentEdges> run(const std::vector<std::vector<Index>>& chains);
+  Result<SegmentEdges> run(const std::vector<std::vector<Index>>& chains, const Progress& progress);
 
  private:
   using Ends = std::array<Index, 2>;
@@ -163,10 +165,13 @@ SegmentEdges ChainBender::edges() const {
   return edges;
 }
 
-Result<SegmentEdges> ChainBender::run(const std::vector<std::vector<Index>>& chains) {
+Result<SegmentEdges> ChainBender::run(const std::vector<std::vector<Index>>& chains,
+                                      const Progress& progress) {
   for (Index s = static_cast<Index>(chains.size()); s-- > 0;) wait_for(chains[s], s);
   bends_left_ = kBendsPerPiece * waiting_.size();
+  ProgressMeter meter(progress, "bend", 0, kPiecesAQuestion);
   while (!waiting_.empty()) {
+    if (!meter.step()) return Error{ErrorCode::kCancelled, "cancelled", {}};
     const Piece piece = waiting_.back();
     waiting_.pop_back();
     if (Status status = lay(piece); !status) return status.error();
@@ -177,8 +182,9 @@ Result<SegmentEdges> ChainBender::run(const std::vector<std::vector<Index>>& cha
 }  // namespace
 
 Result<SegmentEdges> bend_chains(Delaunay2& delaunay, std::span<const Segment> segments,
-                                 const std::vector<std::vector<Index>>& chains) {
-  return ChainBender(delaunay, segments).run(chains);
+                                 const std::vector<std::vector<Index>>& chains,
+                                 const Progress& progress) {
+  return ChainBender(delaunay, segments).run(chains, progress);
 }
 
 }  // namespace wellspaced

@@ -7,6 +7,7 @@
 
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/plane/delaunay2.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -25,10 +26,12 @@ using SegmentEdges = std::vector<std::vector<std::array<Index, 2>>>;
 /// Returns the edges: for each segment they connect its ends, but in no order, and with spurs where
 /// it had to be bent back.
 /// Requires: delaunay.dimension() == 2; a chain begins and ends at its segment's ends.
-/// Errors: kInvalidGeometry where no vertex is near enough (ids: two segments that stay crossed).
-/// Then `delaunay` is left as far as it came.
+/// progress: phase "bend".
+/// Errors: kInvalidGeometry where no vertex is near enough (ids: two segments that stay crossed);
+/// kCancelled. Then `delaunay` is left as far as it came.
 /// Cost: that of insert_constraint for each piece and each bend, and the logarithm of their number.
 Result<SegmentEdges> bend_chains(Delaunay2& delaunay, std::span<const Segment> segments,
-                                 const std::vector<std::vector<Index>>& chains);
+                                 const std::vector<std::vector<Index>>& chains,
+                                 const Progress& progress = {});
 
 }  // namespace wellspaced

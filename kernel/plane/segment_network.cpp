@@ -8,6 +8,10 @@
 namespace wellspaced {
 namespace {
 
+constexpr std::uint64_t kSegmentsAQuestion = 256;
+
+Error network_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
+
 // Which segment a constrained edge is a piece of; with overlaps there are several.
 struct Owner {
   Index low, high;  // the edge's ends
@@ -51,8 +55,11 @@ void trace(const Delaunay2& dt, Index s, const Segment& segment, const std::vect
 }  // namespace
 
 Result<SegmentNetwork> segment_network(std::span<const Point2> points,
-                                       std::span<const Segment> segments) {
-  const Result<Delaunay2> bare = Delaunay2::build(points);
+                                       std::span<const Segment> segments,
+                                       const Progress& progress) {
+  ProgressMeter meter(progress, "cross", 0, kSegmentsAQuestion);
+  const auto go_on = [&](auto, auto, auto) { return meter.step(kSegmentsAQuestion); };
+  const Result<Delaunay2> bare = Delaunay2::build(points, {go_on});
   if (!bare) return bare.error();
   SegmentNetwork network;
   network.paths.resize(segments.size());
@@ -63,6 +70,7 @@ Result<SegmentNetwork> segment_network(std::span<const Point2> points,
     std::vector<Owner> owners;
     std::vector<Index> refused;
     for (const Index s : waiting) {
+      if (!meter.step()) return network_cancelled();
       Result<std::vector<Index>> path = dt.insert_constraint(segments[s].a, segments[s].b);
       if (!path) {
         refused.push_back(s);
@@ -73,7 +81,10 @@ Result<SegmentNetwork> segment_network(std::span<const Point2> points,
         owners.push_back(piece_of(network.paths[s], s, piece));
     }
     sort(owners);
-    for (const Index s : refused) trace(dt, s, segments[s], owners, network.crossings);
+    for (const Index s : refused) {
+      if (!meter.step()) return network_cancelled();
+      trace(dt, s, segments[s], owners, network.crossings);
+    }
     waiting = std::move(refused);
   }
   sort(network.crossings);

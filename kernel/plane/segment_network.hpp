@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -32,10 +33,12 @@ struct SegmentNetwork {
 /// Finds all vertices on all segments and all crossings, exactly.
 ///
 /// Requires: the points span a plane (Delaunay2::dimension() == 2) and segment ends are points.
-/// Errors: those of Delaunay2::build.
+/// progress: phase "cross".
+/// Errors: those of Delaunay2::build; kCancelled.
 /// Cost: in rounds, each of which triangulates the points with a maximal set of the remaining
 /// segments that cross none of each other; as many rounds as segments at the worst.
 Result<SegmentNetwork> segment_network(std::span<const Point2> points,
-                                       std::span<const Segment> segments);
+                                       std::span<const Segment> segments,
+                                       const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -19,6 +19,10 @@ namespace {
 constexpr std::size_t kOrderlyAttempts = 25;
 constexpr std::size_t kPointsByChance = std::size_t{1} << 12;
 
+constexpr std::uint64_t kStepsAQuestion = 256;
+
+Error split_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
+
 // A distinct crossing: two of the segments through it, and the doubles it may be rounded to; those
 // that are no input point first. `nearest` and `choice` number candidates.
 struct Node {
@@ -38,8 +42,12 @@ using Misfits = std::vector<Index>;
 class Splitter {
  public:
   Splitter(std::span<const Point2> points, std::span<const Segment> segments,
-           const SegmentNetwork& network)
-      : points_(points), segments_(segments), network_(network) {}
+           const SegmentNetwork& network, const Progress& progress)
+      : points_(points),
+        segments_(segments),
+        network_(network),
+        progress_(progress),
+        meter_(progress, "split", 0, kStepsAQuestion) {}
 
   Result<SplitGraph> run();
 
@@ -49,7 +57,8 @@ class Splitter {
   void chain_segments();
   Status find_candidates();
   std::vector<Point2> all_points() const;
-  Result<SplitGraph> attempt(std::vector<Misfits>& conflicts) const;
+  Result<Delaunay2> triangulation_of(std::span<const Point2> points);
+  Result<SplitGraph> attempt(std::vector<Misfits>& conflicts);
   Index sharer(const Delaunay2& dt, Index node) const;
   Misfits nodes_at(const SplitGraph& split, std::span<const Index> vertices) const;
   void add_nodes_of_edge(const SplitGraph& split, Index c, Index d, Misfits& nodes) const;
@@ -62,6 +71,8 @@ class Splitter {
   std::span<const Point2> points_;
   std::span<const Segment> segments_;
   const SegmentNetwork& network_;
+  const Progress& progress_;
+  ProgressMeter meter_;
   std::vector<Index> node_of_;  // of each crossing pair
   std::vector<Node> nodes_;     // ascending by x, then y
   std::vector<std::vector<Index>> chains_;
@@ -73,17 +84,20 @@ Crossing Splitter::crossing(const SegmentCrossing& pair) const {
   return {points_[s.a], points_[s.b], points_[t.a], points_[t.b]};
 }
 
-// Numbers the distinct crossings in the order of their exact coordinates.
+// Numbers the distinct crossings in the order of their exact coordinates. Once the caller wants to
+// stop, comparing them ends, and with it soon the sorting.
 void Splitter::number_nodes() {
   const std::vector<SegmentCrossing>& pairs = network_.crossings;
   std::vector<Index> sorted(pairs.size());
   for (Index k = 0; k < sorted.size(); ++k) sorted[k] = k;
   sort(sorted, [&](Index k, Index l) {
+    if (!meter_.step()) return false;
     const int order = compare_xy(crossing(pairs[k]), crossing(pairs[l]));
     return order != 0 ? order < 0 : k < l;
   });
   node_of_.resize(pairs.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (!meter_.step()) return;
     const SegmentCrossing& pair = pairs[sorted[i]];
     if (i == 0 || compare_xy(crossing(pairs[sorted[i - 1]]), crossing(pair)) != 0)
       nodes_.push_back({pair.segment, {}});
@@ -143,10 +157,17 @@ void set_candidates(Node& node, const Crossing& crossing, const Delaunay2& bare)
   if (node.candidates.empty()) node.candidates.assign(all.begin(), all.end());
 }
 
+// Its questions are this one's.
+Result<Delaunay2> Splitter::triangulation_of(std::span<const Point2> points) {
+  return Delaunay2::build(points,
+                          {[this](auto, auto, auto) { return meter_.step(kStepsAQuestion); }});
+}
+
 Status Splitter::find_candidates() {
-  const Result<Delaunay2> bare = Delaunay2::build(points_);
+  const Result<Delaunay2> bare = triangulation_of(points_);
   if (!bare) return bare.error();
   for (std::size_t k = 0; k < node_of_.size(); ++k) {
+    if (!meter_.step()) return split_cancelled();
     Node& node = nodes_[node_of_[k]];
     if (node.candidates.empty()) set_candidates(node, crossing(network_.crossings[k]), *bare);
   }
@@ -166,10 +187,11 @@ Index Splitter::sharer(const Delaunay2& dt, Index node) const {
   return vertex == first_node + node || vertex < first_node ? kNoIndex : vertex - first_node;
 }
 
-// Triangulates with the present choices. What would have to move is in `conflicts`.
-Result<SplitGraph> Splitter::attempt(std::vector<Misfits>& conflicts) const {
+// Triangulates with the present choices. What would have to move is in `conflicts`: nothing where
+// it fails.
+Result<SplitGraph> Splitter::attempt(std::vector<Misfits>& conflicts) {
   conflicts.clear();
-  Result<Delaunay2> built = Delaunay2::build(all_points());
+  Result<Delaunay2> built = triangulation_of(all_points());
   if (!built) return built.error();
   SplitGraph split{std::move(*built), {}};
   for (Index node = 0; node < nodes_.size(); ++node)
@@ -178,6 +200,7 @@ Result<SplitGraph> Splitter::attempt(std::vector<Misfits>& conflicts) const {
   for (const std::vector<Index>& chain : chains_) {
     auto& edges = split.edges.emplace_back();
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      if (!meter_.step()) return conflicts.clear(), split_cancelled();
       const Result<std::vector<Index>> path =
           split.delaunay.insert_constraint(chain[i], chain[i + 1]);
       if (!path) {
@@ -277,15 +300,16 @@ Result<SplitGraph> Splitter::search_by_chance(std::vector<Misfits>& conflicts) {
 // them across each other.
 Result<SplitGraph> Splitter::snap() {
   for (Node& node : nodes_) node.choice = node.nearest;
-  Result<Delaunay2> built = Delaunay2::build(all_points());
+  Result<Delaunay2> built = triangulation_of(all_points());
   if (!built) return built.error();
-  Result<SegmentEdges> edges = bend_chains(*built, segments_, chains_);
+  Result<SegmentEdges> edges = bend_chains(*built, segments_, chains_, progress_);
   if (!edges) return edges.error();
   return SplitGraph{std::move(*built), std::move(*edges)};
 }
 
 Result<SplitGraph> Splitter::run() {
   number_nodes();
+  if (meter_.stopped()) return split_cancelled();
   chain_segments();
   if (Status status = find_candidates(); !status) return status.error();
   std::vector<Misfits> conflicts;
@@ -298,8 +322,8 @@ Result<SplitGraph> Splitter::run() {
 
 Result<SplitGraph> split_at_crossings(std::span<const Point2> points,
                                       std::span<const Segment> segments,
-                                      const SegmentNetwork& network) {
-  return Splitter(points, segments, network).run();
+                                      const SegmentNetwork& network, const Progress& progress) {
+  return Splitter(points, segments, network, progress).run();
 }
 
 }  // namespace wellspaced

@@ -8,6 +8,7 @@
 #include "wellspaced/kernel/plane/bend_chains.hpp"
 #include "wellspaced/kernel/plane/delaunay2.hpp"
 #include "wellspaced/kernel/plane/segment_network.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -31,10 +32,11 @@ struct SplitGraph {
 /// points, a few thousand times. Where none is found, every crossing goes to its nearest double,
 /// those that meet there are one vertex, and segments that then cross are bent (bend_chains.hpp).
 ///
-/// Errors: kInvalidGeometry with the ids of two segments that cannot be bent apart.
+/// progress: phases "split" and "bend".
+/// Errors: kInvalidGeometry with the ids of two segments that cannot be bent apart; kCancelled.
 /// Cost: O(k log k) exact comparisons for k crossings, and a triangulation for each attempt.
 Result<SplitGraph> split_at_crossings(std::span<const Point2> points,
                                       std::span<const Segment> segments,
-                                      const SegmentNetwork& network);
+                                      const SegmentNetwork& network, const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -105,11 +105,14 @@ Error crossing_error(const SegmentNetwork& network) {
 }
 
 // Starts again with the crossings as vertices, or lists them.
-Status resolve_crossings(const Pslg& graph, CrossingRule rule, PlanarTriangulation& result) {
-  const Result<SegmentNetwork> network = segment_network(graph.points, graph.segments);
+Status resolve_crossings(const Pslg& graph, const TriangulateOptions& options,
+                         PlanarTriangulation& result) {
+  const Result<SegmentNetwork> network =
+      segment_network(graph.points, graph.segments, options.progress);
   if (!network) return network.error();
-  if (rule == CrossingRule::kRefuse) return crossing_error(*network);
-  Result<SplitGraph> split = split_at_crossings(graph.points, graph.segments, *network);
+  if (options.crossings == CrossingRule::kRefuse) return crossing_error(*network);
+  Result<SplitGraph> split =
+      split_at_crossings(graph.points, graph.segments, *network, options.progress);
   if (!split) return split.error();
   result.added_points = static_cast<Index>(split->delaunay.points().size() - graph.points.size());
   result.delaunay = std::move(split->delaunay);
@@ -200,7 +203,7 @@ Result<PlanarTriangulation> triangulate(const Pslg& graph, const TriangulateOpti
   const Result<bool> planar = insert_segments(graph, options.progress, result);
   if (!planar) return planar.error();
   if (!*planar) {
-    Status resolved = resolve_crossings(graph, options.crossings, result);
+    Status resolved = resolve_crossings(graph, options, result);
     if (!resolved) return resolved.error();
   }
   sort_out_repeated(result.segments);

@@ -29,7 +29,8 @@ enum class CrossingRule {
 struct TriangulateOptions {
   HoleRule holes = HoleRule::kParity;
   CrossingRule crossings = CrossingRule::kSplit;
-  Progress progress = {};  ///< phases "triangulate" (points), "constrain" (segments), "domain"
+  Progress progress = {};  ///< phases "triangulate" (points), "constrain" (segments), where they
+                           ///< cross "cross", "split" and "bend", at the end "domain"
   unsigned threads = 1;    ///< as in Delaunay2::Options
 };
 

@@ -301,6 +301,21 @@ TEST(Triangulate, CanBeCancelledInEveryPhase) {
   EXPECT_EQ(phases, (std::set<std::string>{"constrain", "domain", "triangulate"}));
 }
 
+// Random segments that cross each other hundreds of times; then the same on doubles so large that
+// they have to be bent apart.
+TEST(Triangulate, CanBeCancelledWhileCrossingsAreSplit) {
+  for (const double origin : {0.0, 0x1p52}) {
+    Pslg graph;
+    graph.points = test::uniform_points(100, 7);
+    for (Point2& p : graph.points) p = {origin + 100 * p.x, origin + 100 * p.y};
+    for (Index s = 0; s < 50; ++s) graph.segments.push_back({2 * s, 2 * s + 1});
+    const auto phases = test::phases_that_cancel(
+        [&](const Progress& progress) { return triangulate(graph, {.progress = progress}); });
+    EXPECT_TRUE(phases.count("cross") == 1 && phases.count("split") == 1);
+    EXPECT_EQ(phases.count("bend"), origin == 0 ? 0u : 1u);
+  }
+}
+
 TEST(Delaunay2Build, CanBeCancelledOnTheWay) {
   const std::vector<Point2> points = test::uniform_points(50000, 1);
   int questions = 0;
