@@ -123,10 +123,12 @@ Result<TriangleMesh> try_mesh(const CurvedDomain& domain, Index nodes, const Pro
 Result<TriangleMesh> generate_graded_mesh(GradedDomain domain, const GradedMeshOptions& options,
                                           const Progress& progress) {
   if (Status valid = check(options); !valid) return valid.error();
+  ProgressMeter meter(progress, "generate", 0, 1);  // of meshes, how many nobody knows
+  const Progress go_on = [&](auto, auto, auto) { return meter.step(); };
   const bool may_flatten = options.octaves < 0;
   double octaves = may_flatten ? usual_octaves(domain) : options.octaves;
   for (;; octaves -= 0.5) {
-    auto mesh = try_mesh(domain_of(domain, octaves), options.nodes, progress);
+    auto mesh = try_mesh(domain_of(domain, octaves), options.nodes, go_on);
     if (mesh || mesh.error().code != ErrorCode::kLimit) return mesh;
     if (!may_flatten || octaves < 1)
       return Error{ErrorCode::kUsage, "this number of nodes does not suit this grading", {}};

@@ -21,10 +21,10 @@ Status check(const GridOptions& options) {
   return Ok{};
 }
 
-std::vector<Point2> lattice(const GridOptions& options) {
+std::vector<Point2> lattice(const GridOptions& options, ProgressMeter& meter) {
   std::vector<Point2> points;
   points.reserve(std::size_t{options.nx} * options.ny);
-  for (Index j = 0; j < options.ny; ++j)
+  for (Index j = 0; j < options.ny && meter.step(options.nx); ++j)
     for (Index i = 0; i < options.nx; ++i)
       points.push_back({static_cast<double>(i), options.aspect * j});
   return points;
@@ -43,11 +43,11 @@ bool is_backslash(Index i, Index j, const GridOptions& options, Random& random) 
   return false;
 }
 
-std::vector<std::array<Index, 3>> cut_cells(const GridOptions& options) {
+std::vector<std::array<Index, 3>> cut_cells(const GridOptions& options, ProgressMeter& meter) {
   Random random(options.seed);
   std::vector<std::array<Index, 3>> triangles;
   triangles.reserve(2 * std::size_t{options.nx - 1} * (options.ny - 1));
-  for (Index j = 0; j + 1 < options.ny; ++j)
+  for (Index j = 0; j + 1 < options.ny && meter.step(options.nx); ++j)
     for (Index i = 0; i + 1 < options.nx; ++i) {
       const Index a = j * options.nx + i, b = a + 1, c = b + options.nx, d = a + options.nx;
       const bool backslash = is_backslash(i, j, options, random);
@@ -76,11 +76,14 @@ std::vector<Segment> boundary(Index nx, Index ny) {
 
 }  // namespace
 
-Result<TriangleMesh> generate_grid(const GridOptions& options) {
+Result<TriangleMesh> generate_grid(const GridOptions& options, const Progress& progress) {
   if (Status valid = check(options); !valid) return valid.error();
+  const std::uint64_t nodes = std::uint64_t{options.nx} * options.ny;
+  ProgressMeter meter(progress, "generate", 2 * nodes - options.nx);
   TriangleMesh mesh;
-  mesh.points = lattice(options);
-  mesh.triangles = cut_cells(options);
+  mesh.points = lattice(options, meter);
+  mesh.triangles = cut_cells(options, meter);
+  if (meter.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
   mesh.segments = boundary(options.nx, options.ny);
   return mesh;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -26,10 +27,11 @@ struct GridOptions {
 /// The grid of nodes (i, aspect * j), row by row, node j * nx + i.
 /// Returns: 2 (nx - 1) (ny - 1) triangles, the lower cells first; the segments run around the
 ///   boundary counter-clockwise from node 0, with markers 1 bottom, 2 right, 3 top, 4 left.
+/// progress: phase "generate".
 /// Errors: kUsage unless nx, ny >= 2, 0 <= mixed <= 1, aspect > 0 and the height is finite; kLimit
-///   beyond 2^29 nodes.
+///   beyond 2^29 nodes; kCancelled.
 /// Cost: linear.
 /// See: section 8.1; CHOICES 12.
-Result<TriangleMesh> generate_grid(const GridOptions& options);
+Result<TriangleMesh> generate_grid(const GridOptions& options, const Progress& progress = {});
 
 }  // namespace wellspaced

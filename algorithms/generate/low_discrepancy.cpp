@@ -45,14 +45,14 @@ double radical_inverse(std::size_t n, std::size_t base) {
   return static_cast<double>(mirrored) / static_cast<double>(power);
 }
 
-std::vector<Point2> hammersley_points(std::size_t count) {
-  return make_points(count, [&](std::size_t n) {
+std::vector<Point2> hammersley_points(std::size_t count, const Progress& progress) {
+  return make_points(count, progress, [&](std::size_t n) {
     return Point2{radical_inverse(n, 2), static_cast<double>(n) / static_cast<double>(count)};
   });
 }
 
-std::vector<Point2> halton_points(std::size_t count) {
-  return make_points(count, [](std::size_t n) {
+std::vector<Point2> halton_points(std::size_t count, const Progress& progress) {
+  return make_points(count, progress, [](std::size_t n) {
     return Point2{radical_inverse(n, 2), radical_inverse(n, 3)};
   });
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -15,11 +16,11 @@ double radical_inverse(std::size_t n, std::size_t base);
 
 /// The Hammersley sequence of `count` points in base 2: (phi(n, 2), n / count), n from 0.
 /// See: Definition 1.1.1.
-std::vector<Point2> hammersley_points(std::size_t count);
+std::vector<Point2> hammersley_points(std::size_t count, const Progress& progress = {});
 
 /// The first `count` points of the Halton sequence of bases 2 and 3: (phi(n, 2), phi(n, 3)), n from
 /// 0. See: Definition 1.1.2.
-std::vector<Point2> halton_points(std::size_t count);
+std::vector<Point2> halton_points(std::size_t count, const Progress& progress = {});
 
 /// The star discrepancy: the largest difference, over all boxes [0, u) x [0, v) in the unit square,
 /// between the share of the points in the box and its area.

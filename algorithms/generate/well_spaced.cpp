@@ -47,12 +47,14 @@ Result<TriangleMesh> generate_well_spaced(const WellSpacedOptions& options,
     return Error{ErrorCode::kUsage, "a well-spaced set may have 20 to 2^26 nodes", {}};
   if (!(options.octaves >= 0 && options.octaves <= 16))
     return Error{ErrorCode::kUsage, "a well-spaced set may be graded over 0 to 16 octaves", {}};
+  ProgressMeter meter(progress, "generate", 0, 1);  // of meshes, how many nobody knows
+  const Progress go_on = [&](auto, auto, auto) { return meter.step(); };
   constexpr int kMostRounds = 12;
   constexpr double kLargestScale = 0.5;
   const double wanted = options.nodes, tolerance = options.nodes < 200 ? 0.1 : 0.05;
   double scale = kLargestScale;
   for (int round = 0; round < kMostRounds; ++round) {
-    auto packed = set_at_scale(scale, options, progress);
+    auto packed = set_at_scale(scale, options, go_on);
     if (!packed) return packed.error();
     const double count = static_cast<double>(packed->mesh.points.size());
     if (std::fabs(count - wanted) <= tolerance * wanted) return std::move(packed->mesh);

@@ -87,7 +87,7 @@ class InteriorPacking {
 };
 
 bool InteriorPacking::keep_going() {
-  constexpr std::size_t kReportEvery = 512;
+  constexpr std::size_t kReportEvery = 256;
   if (!is_complete_) return false;
   const std::size_t points = packing_.delaunay().points().size() - 4;  // but for the far ones
   if (points >= options_.max_points) is_complete_ = false;

@@ -41,7 +41,8 @@ struct Zone {
 ///   boundary's angles are at least 60 degrees; it always ends, and up to 30 it seldom leaves one.
 /// is_far: whether a point is at least a distance, > 0, from what balls must keep twice their
 ///   radius away from; empty: there is no such thing.
-/// max_points: where to stop.
+/// max_points: where to stop. progress: phases "start", where stopping is an error, and "pack",
+///   where it leaves a packing that is not maximal; done: points.
 struct InteriorOptions {
   BallRadius radius;
   std::function<bool(Point2, double)> is_far;
@@ -78,7 +79,7 @@ struct PackedInterior {
 /// point nearest to their shortest edge that makes no bad triangle with it (the off-centre of
 /// Uengoer); where that would lie in a protective circle, the piece is split instead.
 ///
-/// Errors: kInvalidGeometry where pieces cross; those of Delaunay2::build.
+/// Errors: kInvalidGeometry where pieces cross; those of Delaunay2::build; kCancelled at the start.
 /// Requires: radius and zone_at are set.
 /// Cost: O(n log n) expected for n points, and a radius for each of them and for some triangles.
 /// See: Figure 4.3, i = 2; section 4.5.

@@ -69,8 +69,9 @@ Error too_sharp(const std::vector<Corner>& corners, const PlanarTriangulation& g
 }
 
 // The domain closed under intersection, and proven to be one.
-Result<PlanarTriangulation> closed_domain(const Pslg& domain, const PackingOptions& options) {
-  auto graph = triangulate(domain, {options.holes, options.crossings, options.progress});
+Result<PlanarTriangulation> closed_domain(const Pslg& domain, const PackingOptions& options,
+                                          const Progress& progress) {
+  auto graph = triangulate(domain, {options.holes, options.crossings, progress});
   if (!graph) return graph.error();
   if (graph->delaunay.dimension() < 2)
     return Error{ErrorCode::kInvalidGeometry,
@@ -118,7 +119,7 @@ class BoundaryPacking {
   void cut_corners(const std::vector<Corner>& corners, const LocalFeatureSize& lfs);
   // What is left of the domain, whose local feature size the balls follow.
   Pslg lopped() const;
-  Status pack(const BallRadius& radius);
+  Status pack(const BallRadius& radius, ProgressMeter& meter);
   const PackedBoundary& boundary() const { return boundary_; }
   // Whether no segment needed more points than the limit allows.
   bool is_complete() const { return is_complete_; }
@@ -194,11 +195,14 @@ Pslg BoundaryPacking::lopped() const {
   return graph;
 }
 
-Status BoundaryPacking::pack(const BallRadius& radius) {
+// A radius that is none ends the packing of a segment.
+Status BoundaryPacking::pack(const BallRadius& radius, ProgressMeter& meter) {
+  const BallRadius asking = [&](Point2 p) { return meter.step() ? radius(p) : 0; };
   for (Index s = 0; s < parts_.size(); ++s) {
     const std::size_t room =
         options_.max_points - std::min(options_.max_points, boundary_.points.size());
-    auto points = pack_segment(part_of(s), radius, room);
+    auto points = pack_segment(part_of(s), asking, room);
+    if (meter.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
     if (!points && points.error().code != ErrorCode::kLimit) return points.error();
     if (!points || points->size() > room) points = std::vector<Point2>(), is_complete_ = false;
     const Segment& segment = boundary_.segments[s];
@@ -338,31 +342,34 @@ Pslg scaled_domain(Pslg domain, double scale) {
 
 // Packs a domain of usual scale.
 Result<PackedMesh> pack_scaled_domain(const Pslg& input, const PackingOptions& options) {
-  Result<PlanarTriangulation> graph = closed_domain(input, options);
+  constexpr std::uint64_t kStepsAQuestion = 1024;
+  ProgressMeter meter(options.progress, "prepare", 0, kStepsAQuestion);
+  const Progress go_on = [&](auto, auto, auto) { return meter.step(kStepsAQuestion); };
+  Result<PlanarTriangulation> graph = closed_domain(input, options, go_on);
   if (!graph) return graph.error();
   Pslg domain = input;
   if (options.holes == HoleRule::kNone) {
     enclose_hull(domain, *graph);
-    graph = closed_domain(domain, options);
+    graph = closed_domain(domain, options, go_on);
     if (!graph) return graph.error();
   }
   const std::vector<Corner> corners = sharp_corners(*graph);
   if (!corners.empty() && options.sharp_corners == SharpCorners::kRefuse)
     return too_sharp(corners, *graph);
 
-  const auto whole = LocalFeatureSize::build(domain, {options.holes, CrossingRule::kSplit, {}});
+  const auto whole = LocalFeatureSize::build(domain, {options.holes, CrossingRule::kSplit, go_on});
   if (!whole) return whole.error();
   BoundaryPacking work(*graph, options);
   work.cut_corners(corners, *whole);
   const auto lfs =
-      LocalFeatureSize::build(work.lopped(), {HoleRule::kNone, CrossingRule::kSplit, {}});
+      LocalFeatureSize::build(work.lopped(), {HoleRule::kNone, CrossingRule::kSplit, go_on});
   if (!lfs) return lfs.error();
   const BallRadius radius = [&, cursor = LocalFeatureSize::Cursor(*lfs)](Point2 p) mutable {
     if (!options.size) return cursor.at(p) / options.beta;
     const double most = options.size(p) / 2;
     return std::min(most, cursor.at(p, options.beta * most) / options.beta);
   };
-  if (Status packed = work.pack(radius); !packed) return packed.error();
+  if (Status packed = work.pack(radius, meter); !packed) return packed.error();
 
   InteriorOptions interior;
   interior.radius = radius;

@@ -31,6 +31,9 @@ enum class SharpCorners {
 /// at
 ///   least that far apart and at most about 1.7 times as far. Empty: not lowered.
 /// smallest_angle_deg, maximality, placement, max_points: as in InteriorOptions.
+/// progress: phases "prepare" and "start", where stopping is an error, and "pack", where it leaves
+/// a
+///   mesh that is valid, but not as fine as asked for; done: points.
 struct PackingOptions {
   double beta = 2;
   SizeFunction size;
@@ -77,7 +80,7 @@ struct PackedMesh {
 ///   for a domain without area (ids: points), segments that enclose nothing (ids: their loose
 ///   ends), that cross (ids: pairs of segments), or meet at less than 60 degrees (ids: the apices,
 ///   unless sharp_corners is kMesh); those of triangulate; kLimit where the boundary alone needs
-///   more than max_points.
+///   more than max_points; kCancelled before the interior is packed.
 /// Cost: O(n log n) expected for n nodes and domain features.
 /// Audit: embedding, constrained Delaunay, conformity, angles.
 /// See: chapter 4; Definition 2.2.5.

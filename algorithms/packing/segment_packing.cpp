@@ -83,13 +83,15 @@ class SegmentPacking {
     return true;
   }
 
-  // Puts a point in the middle of each gap where one fits, until none does.
+  // Puts a point in the middle of each gap where one fits, until none does; none where a radius
+  // is not positive, which the measure may have stepped over.
   std::vector<double> with_gaps_filled(const std::vector<double>& cuts) const {
     std::vector<double> done{cuts[0]}, ahead(cuts.rbegin(), cuts.rend() - 1);
     while (!ahead.empty()) {
       const double middle = (done.back() + ahead.back()) / 2;
       const Ball fresh = ball(middle);
-      if (are_disjoint(ball(done.back()), fresh) && are_disjoint(fresh, ball(ahead.back()))) {
+      if (fresh.radius > 0 && are_disjoint(ball(done.back()), fresh) &&
+          are_disjoint(fresh, ball(ahead.back()))) {
         ahead.push_back(middle);
       } else {
         done.push_back(ahead.back());

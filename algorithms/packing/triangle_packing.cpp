@@ -15,6 +15,10 @@
 namespace wellspaced {
 namespace {
 
+constexpr std::uint64_t kPiecesAQuestion = 1024;
+
+Error start_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
+
 // Whether p lies inside the circle with diameter ab.
 bool in_diametral_circle(Point2 a, Point2 b, Point2 p) {
   return (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y) < 0;
@@ -40,19 +44,25 @@ Result<TrianglePacking> TrianglePacking::start(const PackedBoundary& boundary,
                                                const InteriorOptions& options) {
   std::vector<Point2> points = boundary.points;
   for (const Point2 p : far_corners(boundary.points)) points.push_back(p);
-  Result<Delaunay2> delaunay = Delaunay2::build(points);
+  ProgressMeter meter(options.progress, "start", 0, kPiecesAQuestion);
+  const Progress go_on = [&](auto, auto, auto) { return meter.step(kPiecesAQuestion); };
+  Result<Delaunay2> delaunay = Delaunay2::build(points, {go_on});
   if (!delaunay) return delaunay.error();
   TrianglePacking packing(std::move(*delaunay), boundary, options);
-  if (Status status = packing.insert_pieces(); !status) return status.error();
+  if (Status status = packing.insert_pieces(meter); !status) return status.error();
   packing.index_pieces();
-  for (const Point2 p : boundary.points) packing.radius_.push_back(options.radius(p));
+  for (const Point2 p : boundary.points) {
+    if (!meter.step()) return start_cancelled();
+    packing.radius_.push_back(options.radius(p));
+  }
   packing.radius_.resize(points.size());
   packing.find_zones();
   return packing;
 }
 
-Status TrianglePacking::insert_pieces() {
+Status TrianglePacking::insert_pieces(ProgressMeter& meter) {
   for (const BoundaryPiece& piece : boundary_->pieces) {
+    if (!meter.step()) return start_cancelled();
     const auto chain = delaunay_.insert_constraint(piece.a, piece.b);
     if (!chain) return chain.error();
     if (chain->size() != 2)

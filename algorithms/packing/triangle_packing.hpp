@@ -74,7 +74,7 @@ class TrianglePacking {
                   const InteriorOptions& options)
       : delaunay_(std::move(delaunay)), boundary_(&boundary), options_(&options) {}
 
-  Status insert_pieces();
+  Status insert_pieces(ProgressMeter& meter);
   void index_pieces();
   void find_zones();
   bool is_chord(Edge e) const;

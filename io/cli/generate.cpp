@@ -81,7 +81,7 @@ Result<Geometry> make_grid(const GenerateRequest& request) {
   options.seed = request.seed();
   read_diagonals(request, options);
   if (Status status = request.arguments.status(); !status) return status.error();
-  auto mesh = generate_grid(options);
+  auto mesh = generate_grid(options, request.session.progress());
   if (!mesh) return mesh.error();
   return to_geometry(std::move(*mesh));
 }
@@ -149,8 +149,10 @@ Geometry points_geometry(std::vector<Point3> points) {
 template <class Make>
 Result<Geometry> make_points(const GenerateRequest& request, Make make) {
   if (Status status = request.arguments.status(); !status) return status.error();
-  auto points = make();
-  if (request.arguments.has("--shuffle")) shuffle_points(points, request.seed());
+  const Progress progress = request.session.progress();
+  auto points = make(progress);
+  if (request.arguments.has("--shuffle")) shuffle_points(points, request.seed(), progress);
+  if (request.session.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
   return points_geometry(std::move(points));
 }
 
@@ -164,25 +166,26 @@ void check_product(const GenerateRequest& request, std::initializer_list<std::si
 Result<Geometry> make_lattice(const GenerateRequest& request) {
   const std::size_t nx = request.count("--nx", 1000), ny = request.count("--ny", 1000);
   check_product(request, {nx, ny});
-  return make_points(request, [&] { return grid_points(nx, ny); });
+  return make_points(request, [&](const Progress& p) { return grid_points(nx, ny, p); });
 }
 
 Result<Geometry> make_lattice3(const GenerateRequest& request) {
   const std::size_t nx = request.count("--nx", 50), ny = request.count("--ny", 50),
                     nz = request.count("--nz", 50);
   check_product(request, {nx, ny, nz});
-  return make_points(request, [&] { return lattice_points3(nx, ny, nz); });
+  return make_points(request, [&](const Progress& p) { return lattice_points3(nx, ny, nz, p); });
 }
 
 // 100 points a turn, and a hundredth of the radius between turns.
 Result<Geometry> make_helix3(const GenerateRequest& request) {
-  return make_points(request, [n = request.nodes()] { return helix_points3(n, 100, 0.01); });
+  return make_points(
+      request, [n = request.nodes()](const Progress& p) { return helix_points3(n, 100, 0.01, p); });
 }
 
 Result<Geometry> make_spiral(const GenerateRequest& request) {
   const std::size_t nodes = request.nodes();
   const double octaves = request.arguments.number("--grading", 40, between(0, 500));
-  return make_points(request, [&] { return spiral_points(nodes, octaves); });
+  return make_points(request, [&](const Progress& p) { return spiral_points(nodes, octaves, p); });
 }
 
 constexpr std::string_view kGraded = " --nodes --grading --boundary ";
@@ -197,55 +200,65 @@ constexpr std::array<Kind, 22> kKinds = {{
     {"wellspaced", " --nodes --grading --tight ", make_well_spaced},
     {"random", kPoints,
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes(), &r] { return random_points(n, r.seed()); });
+       return make_points(
+           r, [n = r.nodes(), &r](const Progress& p) { return random_points(n, r.seed(), p); });
      }},
     {"clusters", kPoints,
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes(), &r] { return clustered_points(n, 100, r.seed()); });
+       return make_points(r, [n = r.nodes(), &r](const Progress& p) {
+         return clustered_points(n, 100, r.seed(), p);
+       });
      }},
     {"circle", kPoints,  // a tenth of the points on it, the others inside
      [](const GenerateRequest& r) {
-       return make_points(
-           r, [n = r.nodes(), &r] { return circle_points(n / 10, n - n / 10, r.seed()); });
+       return make_points(r, [n = r.nodes(), &r](const Progress& p) {
+         return circle_points(n / 10, n - n / 10, r.seed(), p);
+       });
      }},
     {"spiral", " --nodes --grading --shuffle ", make_spiral},
     {"lattice", " --nx --ny --shuffle ", make_lattice},
     {"parabola", kPoints,
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes()] { return parabola_points(n); });
+       return make_points(r, [n = r.nodes()](const Progress& p) { return parabola_points(n, p); });
      }},
     {"collinear", kPoints,  // all but one
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes()] { return collinear_points_and_one(n - 1); });
+       return make_points(
+           r, [n = r.nodes()](const Progress& p) { return collinear_points_and_one(n - 1, p); });
      }},
     {"hammersley", kPoints,
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes()] { return hammersley_points(n); });
+       return make_points(r,
+                          [n = r.nodes()](const Progress& p) { return hammersley_points(n, p); });
      }},
     {"halton", kPoints,
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes()] { return halton_points(n); });
+       return make_points(r, [n = r.nodes()](const Progress& p) { return halton_points(n, p); });
      }},
     {"copies", kPoints,  // of 10 points
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes(), &r] { return repeated_points(n, 10, r.seed()); });
+       return make_points(r, [n = r.nodes(), &r](const Progress& p) {
+         return repeated_points(n, 10, r.seed(), p);
+       });
      }},
     {"box3", kPoints,
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes(), &r] { return box_points3(n, r.seed()); });
+       return make_points(
+           r, [n = r.nodes(), &r](const Progress& p) { return box_points3(n, r.seed(), p); });
      }},
     {"lattice3", " --nx --ny --nz --shuffle ", make_lattice3},
     {"sphere3", kPoints,
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes(), &r] { return sphere_points3(n, r.seed()); });
+       return make_points(
+           r, [n = r.nodes(), &r](const Progress& p) { return sphere_points3(n, r.seed(), p); });
      }},
     {"moment3", kPoints,
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes()] { return moment_points3(n); });
+       return make_points(r, [n = r.nodes()](const Progress& p) { return moment_points3(n, p); });
      }},
     {"lines3", kPoints,  // half of them on each
      [](const GenerateRequest& r) {
-       return make_points(r, [n = r.nodes()] { return line_points3(n / 2); });
+       return make_points(r, [n = r.nodes()](const Progress& p) { return line_points3(n / 2, p); });
      }},
     {"helix3", kPoints, make_helix3},
 }};

@@ -12,6 +12,7 @@ namespace wellspaced::cli {
 namespace {
 
 constexpr auto kDrawInterval = std::chrono::milliseconds(100);
+constexpr auto kMemoryInterval = std::chrono::milliseconds(5);  // to read it takes a hundredth
 constexpr double kMegabyte = 1e6;
 
 // What does not stop in time is ended by force, to be gone after this part of its time limit.
@@ -92,6 +93,7 @@ Progress Session::progress() {
 
 bool Session::keep_going(std::string_view phase, std::uint64_t done, std::uint64_t total) {
   stopped_ = find_reason();
+  if (!stopped_ && is_short_of_memory()) stopped_ = StopReason::kMemoryLimit;
   phase_ = phase;
   if (stopped_) return false;
   if (draws_ && Clock::now() - last_drawn_ >= kDrawInterval) draw_bar(phase, done, total);
@@ -108,9 +110,14 @@ std::optional<StopReason> Session::find_reason() const {
   if (interrupted()) return StopReason::kInterrupted;
   if (options_.time_limit && elapsed() > *options_.time_limit - time_to_write_)
     return StopReason::kTimeLimit;
-  if (options_.max_memory && resident_bytes() > soft_limit(*options_.max_memory))
-    return StopReason::kMemoryLimit;
   return {};
+}
+
+bool Session::is_short_of_memory() {
+  const Clock::time_point now = Clock::now();
+  if (!options_.max_memory || now - memory_read_ < kMemoryInterval) return false;
+  memory_read_ = now;
+  return resident_bytes() > soft_limit(*options_.max_memory);
 }
 
 double Session::elapsed() const {

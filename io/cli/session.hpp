@@ -82,6 +82,7 @@ class Session {
   bool keep_writing(std::uint64_t done);
   std::string sentence(StopReason reason, std::string_view in_phase) const;
   std::optional<StopReason> find_reason() const;
+  bool is_short_of_memory();
   double elapsed() const;
   void draw_bar(std::string_view phase, std::uint64_t done, std::uint64_t total);
   void clear_bar();
@@ -93,7 +94,7 @@ class Session {
   std::string outcome_ = "nothing was written";
   Clock::time_point start_;
   double time_to_write_ = 0;  // seconds
-  Clock::time_point last_drawn_;
+  Clock::time_point last_drawn_, memory_read_;
   bool draws_ = false;
   bool bar_shows_ = false;
   std::string phase_;

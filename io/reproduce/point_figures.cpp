@@ -101,11 +101,11 @@ TriangleMesh mesh_of_points(std::vector<Point2> points) {
   return mesh;
 }
 
-using SequenceMaker = std::vector<Point2> (*)(std::size_t);
+using SequenceMaker = std::vector<Point2> (*)(std::size_t count, const Progress& progress);
 
 Exhibit low_discrepancy_exhibit(Exhibit exhibit, SequenceMaker make, const std::string& words) {
   for (const std::size_t count : {400, 1000})
-    add_points(exhibit, concat({words, count, " points"}), mesh_of_points(make(count)));
+    add_points(exhibit, concat({words, count, " points"}), mesh_of_points(make(count, {})));
   exhibit.notes.push_back(
       "The star discrepancy is exact: the largest difference between share and "
       "area over all boxes that start at the origin.");

@@ -285,9 +285,9 @@ std::size_t count_free_edges(const PolyhedralComplex& complex) {
 
 std::vector<RuleViolation> find_rule_violations(const PolyhedralComplex& complex,
                                                 const FeatureSize3& features, double tolerance,
-                                                std::size_t most) {
+                                                std::size_t most, const Progress& progress) {
   std::vector<RuleViolation> violations;
-  for (const auto& [a, b] : features.contacts(tolerance * extent_of(complex), most))
+  for (const auto& [a, b] : features.contacts(tolerance * extent_of(complex), most, progress))
     violations.push_back({a, b, kNoIndex, 1});
   const auto angles = RuleCheck(complex, tolerance, most - violations.size()).run();
   violations.insert(violations.end(), angles.begin(), angles.end());

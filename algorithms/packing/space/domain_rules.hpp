@@ -6,6 +6,7 @@
 
 #include "wellspaced/algorithms/packing/space/feature_size3.hpp"
 #include "wellspaced/algorithms/packing/space/polyhedral_complex.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 
 namespace wellspaced {
@@ -28,11 +29,12 @@ struct RuleViolation {
 /// polytopes that do, neither containing the other, make an angle there whose cosine is at most
 /// `tolerance`; so those that intersect beside their vertex are found, too, at an angle of 0.
 /// The tolerance stands for the rounding of coordinates: see kFlatness.
+/// progress: phase "contacts"; told to stop, what was found by then.
 /// Cost: O(n log n) for a domain that keeps the rule: at most six segments meet in a vertex then.
 /// See: section 4.2.
 std::vector<RuleViolation> find_rule_violations(const PolyhedralComplex& complex,
                                                 const FeatureSize3& features, double tolerance,
-                                                std::size_t most);
+                                                std::size_t most, const Progress& progress = {});
 
 /// The faults as one error: how many, the worst with their polytopes and angles, and how many edges
 /// bound one facet only, where a facet may be missing; polytopes by the domain's numbers (ids: the

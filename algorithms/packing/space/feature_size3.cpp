@@ -337,9 +337,12 @@ double FeatureSize3::distance_between(const Item& x, const Item& y) const {
                              distance_sq_of_stretches(p.a, p.ab, q.a + q.ab, q.ac - q.ab)}));
 }
 
-std::vector<FeatureSize3::Contact> FeatureSize3::contacts(double within, std::size_t most) const {
+std::vector<FeatureSize3::Contact> FeatureSize3::contacts(double within, std::size_t most,
+                                                          const Progress& progress) const {
+  constexpr std::uint64_t kItemsAQuestion = 1024;
   std::vector<Contact> found;
-  for (std::size_t i = 0; i < items_.size() && found.size() < most; ++i) {
+  ProgressMeter meter(progress, "contacts", items_.size(), kItemsAQuestion);
+  for (std::size_t i = 0; i < items_.size() && found.size() < most && meter.step(); ++i) {
     if (items_[i].feature.dimension == 2) continue;
     visit_near(box_of(items_[i]), within, [&](Index j) {
       const Item &x = items_[i], &y = items_[j];

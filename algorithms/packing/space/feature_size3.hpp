@@ -67,7 +67,9 @@ class FeatureSize3 {
   };
   /// The vertices and segments that come within a distance of something that they do not touch; at
   /// most `most` of them. Facets cannot meet otherwise, but for those that touch.
-  std::vector<Contact> contacts(double within, std::size_t most) const;
+  /// progress: phase "contacts"; told to stop, what was found by then.
+  std::vector<Contact> contacts(double within, std::size_t most,
+                                const Progress& progress = {}) const;
 
  private:
   // What the tree holds: a point, a segment or a triangle.

@@ -142,10 +142,13 @@ double slope_of(const PackingOptions3& options) {
 
 Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& options) {
   constexpr std::size_t kMostFaults = 1000;
-  const auto complex = build_complex(domain, options.flatness);
+  const auto complex = build_complex(domain, options.flatness, options.progress);
   if (!complex) return complex.error();
   const FeatureSize3 features(*complex);
-  const auto faults = find_rule_violations(*complex, features, options.flatness, kMostFaults);
+  ProgressParts check(options.progress, "check", 1);
+  const auto faults =
+      find_rule_violations(*complex, features, options.flatness, kMostFaults, check.part(0));
+  if (check.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
   if (!faults.empty()) return rule_error(faults, *complex);
 
   SurfaceOptions surface_options;

@@ -28,6 +28,9 @@ using SizeFunction3 = std::function<double(Point3)>;
 /// maximality: until no circumcentre, or no point at all, can be added to a facet or solid.
 /// flatness: the tolerance for planes and right angles; 0 to 0.001.
 /// max_points: where to stop.
+/// progress: first phases "flatten", "check", "surface" and "triangulate", where stopping is an
+///   error; then "pack", where it leaves a mesh that conforms, but is not as fine as asked for;
+///   done: points.
 struct PackingOptions3 {
   double beta = 10;
   SizeFunction3 size;

@@ -247,7 +247,8 @@ void mark_vertices(const std::vector<Index>& twin, const std::vector<Index>& fre
 
 }  // namespace
 
-Result<PolyhedralComplex> build_complex(const Pls& input, double flatness) {
+Result<PolyhedralComplex> build_complex(const Pls& input, double flatness,
+                                        const Progress& progress) {
   if (Status finite = check_points(input.points); !finite) return finite.error();
   if (Status named = check_names(input); !named) return named.error();
   if (Status finite = check_seeds(input); !finite) return finite.error();
@@ -264,9 +265,12 @@ Result<PolyhedralComplex> build_complex(const Pls& input, double flatness) {
     if (source[into] != kNoIndex) origin[into] = Origin::kMerged;
     source[into] = std::min(source[into], f);
   }
+  constexpr std::size_t kFacetsAQuestion = 64;
   std::vector<std::vector<Segment>> edges(source.size());
   std::vector<Segment> segments = merged->domain.segments;
   for (std::size_t f = 0; f < source.size(); ++f) {
+    if (f % kFacetsAQuestion == 0 && !report(progress, "flatten", f, source.size()))
+      return Error{ErrorCode::kCancelled, "cancelled", {}};
     auto facet =
         flatten(merged->domain, static_cast<Index>(f), source[f], origin[f], flatness, edges[f]);
     if (!facet) return facet.error();

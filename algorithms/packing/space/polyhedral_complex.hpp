@@ -8,6 +8,7 @@
 
 #include "wellspaced/algorithms/packing/coplanar_facets.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 #include "wellspaced/kernel/result.hpp"
 #include "wellspaced/kernel/space/plane_frame.hpp"
 
@@ -49,6 +50,7 @@ struct PolyhedralComplex {
 ///   no point (ids: facets or segments), a facet that is not flat, encloses nothing, or whose edges
 ///   cross (ids: facets); those of merge_coplanar_facets.
 /// Requires: 0 <= flatness < 1. Cost: O(n log n).
-Result<PolyhedralComplex> build_complex(const Pls& domain, double flatness = kFlatness);
+Result<PolyhedralComplex> build_complex(const Pls& domain, double flatness = kFlatness,
+                                        const Progress& progress = {});
 
 }  // namespace wellspaced

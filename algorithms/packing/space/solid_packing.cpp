@@ -255,7 +255,7 @@ Status SolidPacking::check_sides() const {
 // ---- Balls ---------------------------------------------------------------------------------
 
 bool SolidPacking::keep_going() {
-  constexpr std::size_t kReportEvery = 512;
+  constexpr std::size_t kReportEvery = 256;
   const std::size_t points = delaunay_.points().size() - kFarPoints;
   if (points >= options_.max_points) is_complete_ = false;
   if (steps_++ % kReportEvery == 0 &&

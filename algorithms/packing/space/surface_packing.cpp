@@ -24,10 +24,16 @@ Error not_positive_at(Point3 p) {
           {}};
 }
 
+constexpr std::uint64_t kStepsAQuestion = 1024;
+
+Error surface_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
+
 class SurfacePacking {
  public:
   SurfacePacking(const PolyhedralComplex& complex, const SurfaceOptions& options)
-      : complex_(complex), options_(options) {}
+      : complex_(complex),
+        options_(options),
+        meter_(options.progress, "surface", 0, kStepsAQuestion) {}
 
   Status pack_points();
   Status pack_one_segment(Index s);
@@ -55,6 +61,7 @@ class SurfacePacking {
   const SurfaceOptions& options_;
   PackedSurface surface_;
   std::optional<Point3> bad_place_;
+  ProgressMeter meter_;
 };
 
 Status SurfacePacking::pack_points() {
@@ -71,8 +78,9 @@ Status SurfacePacking::pack_one_segment(Index s) {
   const Point3 a = complex_.points[segment.a], way = complex_.points[segment.b] - a;
   const double whole = length(way);
   const auto place = [&](double along) { return a + (along / whole) * way; };
-  const auto points = pack_segment(
-      {{0, 0}, {whole, 0}}, [&](Point2 p) { return options_.radius(place(p.x)); }, room());
+  const auto radius = [&](Point2 p) { return meter_.step() ? options_.radius(place(p.x)) : 0; };
+  const auto points = pack_segment({{0, 0}, {whole, 0}}, radius, room());
+  if (meter_.stopped()) return surface_cancelled();
   if (!points) return points.error();
   if (points->size() > room())
     return Error{ErrorCode::kLimit, "the segments need more points than the limit", {}};
@@ -172,11 +180,11 @@ Status SurfacePacking::pack_facet(Index f) {
   interior.maximality = options_.maximality;
   interior.placement = BallPlacement::kGeneric;
   interior.max_points = boundary.points.size() + room();
-  interior.progress = options_.progress;
+  interior.progress = [this](auto, auto, auto) { return meter_.step(kStepsAQuestion); };
   const auto packed = pack_interior(boundary, interior);
   if (!packed) return packed.error();
   if (bad_place_) return not_positive_at(*bad_place_);
-  if (packed->was_cancelled) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (packed->was_cancelled) return surface_cancelled();
   if (!packed->is_complete)
     return Error{ErrorCode::kLimit, "the facets need more points than the limit", {}};
   std::vector<Index> number;

@@ -34,7 +34,7 @@ struct PackedSurface {
 
 /// radius: of the balls. slope: it grows by at most this much per unit of length.
 /// maximality: of facets; segments are packed so that nothing can be added.
-/// max_points: the most points there may be.
+/// max_points: the most points there may be. progress: phase "surface".
 struct SurfaceOptions {
   BallRadius3 radius;
   double slope = 0;
