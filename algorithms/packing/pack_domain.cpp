@@ -342,9 +342,9 @@ Pslg scaled_domain(Pslg domain, double scale) {
 
 // Packs a domain of usual scale.
 Result<PackedMesh> pack_scaled_domain(const Pslg& input, const PackingOptions& options) {
-  constexpr std::uint64_t kStepsAQuestion = 1024;
-  ProgressMeter meter(options.progress, "prepare", 0, kStepsAQuestion);
-  const Progress go_on = [&](auto, auto, auto) { return meter.step(kStepsAQuestion); };
+  constexpr std::uint64_t kPreparationStepsAQuestion = 1024;
+  ProgressMeter meter(options.progress, "prepare", 0, kPreparationStepsAQuestion);
+  const Progress go_on = [&](auto, auto, auto) { return meter.step(kPreparationStepsAQuestion); };
   Result<PlanarTriangulation> graph = closed_domain(input, options, go_on);
   if (!graph) return graph.error();
   Pslg domain = input;

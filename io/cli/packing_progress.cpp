@@ -27,7 +27,7 @@ double seconds_a_node() {
 }
 
 // How much longer things take than their processor time: other programs run, too.
-double load(const PhaseTime& time) {
+double load_of(const PhaseTime& time) {
   return time.cpu > 0 ? std::max(1.0, time.wall / time.cpu) : 1;
 }
 
@@ -40,7 +40,7 @@ Progress packing_progress(Session& session, double node_cost) {
   return [&session, watch, seconds, ask = session.progress()](
              std::string_view phase, std::uint64_t done, std::uint64_t total) {
     if (phase == "pack")
-      session.leave_time_to_write(load(watch.elapsed()) * seconds * static_cast<double>(done));
+      session.leave_time_to_write(load_of(watch.elapsed()) * seconds * static_cast<double>(done));
     return ask(phase, done, total);
   };
 }

@@ -22,7 +22,7 @@ enum class BendPlace { kBetween, kAnywhere };
 // so that bending ends by itself; this bounds it where chains are out of order.
 constexpr std::size_t kBendsPerPiece = 64;
 
-constexpr std::uint64_t kPiecesAQuestion = 256;
+constexpr std::uint64_t kBendsAQuestion = 256;
 
 // The double so many steps from x, or the last one on the way.
 double stepped(double x, int steps, double towards) {
@@ -169,7 +169,7 @@ Result<SegmentEdges> ChainBender::run(const std::vector<std::vector<Index>>& cha
                                       const Progress& progress) {
   for (Index s = static_cast<Index>(chains.size()); s-- > 0;) wait_for(chains[s], s);
   bends_left_ = kBendsPerPiece * waiting_.size();
-  ProgressMeter meter(progress, "bend", 0, kPiecesAQuestion);
+  ProgressMeter meter(progress, "bend", 0, kBendsAQuestion);
   while (!waiting_.empty()) {
     if (!meter.step()) return Error{ErrorCode::kCancelled, "cancelled", {}};
     const Piece piece = waiting_.back();

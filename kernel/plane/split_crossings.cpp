@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kOrderlyAttempts = 25;
 constexpr std::size_t kPointsByChance = std::size_t{1} << 12;
 
-constexpr std::uint64_t kStepsAQuestion = 256;
+constexpr std::uint64_t kSplitStepsAQuestion = 256;
 
 Error split_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
 
@@ -47,7 +47,7 @@ class Splitter {
         segments_(segments),
         network_(network),
         progress_(progress),
-        meter_(progress, "split", 0, kStepsAQuestion) {}
+        meter_(progress, "split", 0, kSplitStepsAQuestion) {}
 
   Result<SplitGraph> run();
 
@@ -160,7 +160,7 @@ void set_candidates(Node& node, const Crossing& crossing, const Delaunay2& bare)
 // Its questions are this one's.
 Result<Delaunay2> Splitter::triangulation_of(std::span<const Point2> points) {
   return Delaunay2::build(points,
-                          {[this](auto, auto, auto) { return meter_.step(kStepsAQuestion); }});
+                          {[this](auto, auto, auto) { return meter_.step(kSplitStepsAQuestion); }});
 }
 
 Status Splitter::find_candidates() {

@@ -24,7 +24,7 @@ Error not_positive_at(Point3 p) {
           {}};
 }
 
-constexpr std::uint64_t kStepsAQuestion = 1024;
+constexpr std::uint64_t kSurfaceStepsAQuestion = 1024;
 
 Error surface_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
 
@@ -33,7 +33,7 @@ class SurfacePacking {
   SurfacePacking(const PolyhedralComplex& complex, const SurfaceOptions& options)
       : complex_(complex),
         options_(options),
-        meter_(options.progress, "surface", 0, kStepsAQuestion) {}
+        meter_(options.progress, "surface", 0, kSurfaceStepsAQuestion) {}
 
   Status pack_points();
   Status pack_one_segment(Index s);
@@ -180,7 +180,7 @@ Status SurfacePacking::pack_facet(Index f) {
   interior.maximality = options_.maximality;
   interior.placement = BallPlacement::kGeneric;
   interior.max_points = boundary.points.size() + room();
-  interior.progress = [this](auto, auto, auto) { return meter_.step(kStepsAQuestion); };
+  interior.progress = [this](auto, auto, auto) { return meter_.step(kSurfaceStepsAQuestion); };
   const auto packed = pack_interior(boundary, interior);
   if (!packed) return packed.error();
   if (bad_place_) return not_positive_at(*bad_place_);
