@@ -17,6 +17,7 @@
 #include "wellspaced/io/report/table_text.hpp"
 #include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/graph.hpp"
+#include "wellspaced/kernel/memory.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -77,11 +78,15 @@ void warn_of_angles(const CoarsenRun& run, Session& session) {
               run.options.angle_deg, " degrees on this mesh: its special points ask for so many"}));
 }
 
-// Where that is cut short, what there is of it is dropped.
+// Where that is cut short, or needs more memory than there is, what there is of it is dropped: the
+// levels stay.
 Status prepare_for_solver(Session& session, CoarsenRun& run) {
-  auto solver = wellspaced::prepare_for_solver(run.hierarchy, session.progress());
-  if (!solver && solver.error().code != ErrorCode::kCancelled) return solver.error();
-  if (!solver) return Ok{};
+  auto solver = within_memory(
+      [&] { return wellspaced::prepare_for_solver(run.hierarchy, session.progress()); });
+  const bool limited = !solver && (solver.error().code == ErrorCode::kCancelled ||
+                                   solver.error().code == ErrorCode::kLimit);
+  if (limited) run.hierarchy.complete = false;
+  if (!solver) return limited ? Status(Ok{}) : solver.error();
   run.solver = std::move(*solver);
   warn_of_drift(*run.solver, session);
   return Ok{};

@@ -18,9 +18,11 @@ constexpr double kMegabyte = 1e6;
 // What does not stop in time is ended by force, to be gone after this part of its time limit.
 constexpr double kForce = 1.04;
 
-// Stop a little before the limit that the operating system enforces, while there is room to end
-// in good order.
-constexpr std::uint64_t soft_limit(std::uint64_t bytes) { return bytes - bytes / 8; }
+// What is asked to stop does so a little below the limit; what allocates beyond it, before it is
+// asked again, fails a little above: there is room in between to end in good order. Both lie within
+// a tenth of the limit.
+constexpr std::uint64_t soft_limit(std::uint64_t bytes) { return bytes - bytes / 16; }
+constexpr std::uint64_t hard_limit(std::uint64_t bytes) { return bytes + bytes / 24; }
 
 std::string bar_text(std::string_view phase, std::uint64_t done, std::uint64_t total) {
   constexpr std::uint64_t kWidth = 30;
@@ -59,7 +61,7 @@ Session::Session(CommonOptions options)
       outputs_([this](auto, std::uint64_t done, auto) { return keep_writing(done); }),
       start_(Clock::now()) {
   draws_ = !options_.quiet && standard_error_is_terminal();
-  if (options_.max_memory) limit_memory(*options_.max_memory);
+  if (options_.max_memory) limit_memory(hard_limit(*options_.max_memory));
   say_what_stays("nothing was written");
   if (options_.time_limit) set_deadline(*options_.time_limit, kForce * *options_.time_limit);
 }

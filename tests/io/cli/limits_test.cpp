@@ -107,5 +107,25 @@ TEST_F(Limits, OfMemoryEndInGoodOrder) {
   }
 }
 
+// With more and more memory: what is written is whole levels, and enough stays enough.
+TEST_F(Limits, OfMemoryLeaveTheLevelsThatWereFinished) {
+  const std::string small = directory_ / "small";
+  ASSERT_EQ(run_program({"generate", "grid", "--nx", "150", "--ny", "150", "-o", small}).exit_code,
+            0);
+  bool suffices = false;
+  for (const std::string megabytes : {"12", "14", "16", "20", "30", "60"}) {
+    const std::string levels = directory_ / ("out/levels" + megabytes);
+    const ProgramRun run =
+        run_program({"coarsen", small, "-o", levels, "--max-memory", megabytes, "--quiet"});
+    EXPECT_TRUE(run.exit_code == 5 || run.exit_code == 0) << run.err;
+    EXPECT_TRUE(run.exit_code == 0 || !suffices) << megabytes;
+    suffices = run.exit_code == 0;
+    if (std::filesystem::exists(levels)) {
+      EXPECT_EQ(run_program({"audit", levels, "--quiet"}).exit_code, 0) << megabytes;
+    }
+  }
+  EXPECT_TRUE(suffices);
+}
+
 }  // namespace
 }  // namespace wellspaced
