@@ -120,9 +120,9 @@ Index NodeSelection::conflict_before(Waiting& waiting, std::span<const std::uint
 // The turn of v has come: all before it are decided.
 void NodeSelection::consider(Index v, std::size_t conflicts) {
   if (considered_) considered_(v);
-  const bool meets_selected =
-      any_of(std::span(pool_).subspan(conflicts),
-             [&](const Conflict& c) { return c.holds && is_selected(c.node); });
+  const bool meets_selected = any_of(std::span(pool_).subspan(conflicts), [&](const Conflict& c) {
+    return c.holds && is_selected(c.node);
+  });
   if (meets_selected) return invalidate(v);
   mark_selected(v);
   invalidate_conflicts(conflicts);
