@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdio>
 
 namespace wellspaced {
 namespace {
@@ -11,6 +12,16 @@ void append_digits(std::string& text, Number number) {
   std::array<char, 32> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
   text.append(digits.data(), end);
+}
+
+void append_real(std::string& text, double real) {
+#ifdef __cpp_lib_to_chars
+  append_digits(text, real);
+#else  // an older libc++: more digits than need be
+  std::array<char, 32> digits;
+  std::snprintf(digits.data(), digits.size(), "%.17g", real);
+  text += digits.data();
+#endif
 }
 
 }  // namespace
@@ -34,7 +45,7 @@ void TextPiece::append_to(std::string& text) const {
     case Kind::kUnsigned:
       return append_digits(text, unsigned_);
     case Kind::kReal:
-      return append_digits(text, real_);
+      return append_real(text, real_);
   }
 }
 
