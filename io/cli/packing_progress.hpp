@@ -6,8 +6,8 @@
 
 namespace wellspaced::cli {
 
-/// The session's progress; where there is a time limit it stops the phase "pack", whose `done` are
-/// nodes, when the time that is left is what is still to be done with so many nodes.
+/// The session's progress; where there is a limit of time or memory it stops the phase "pack",
+/// whose `done` are nodes, when what is left of it is needed to finish and write so many nodes.
 /// node_cost: that, for one node, in units of what packed_spacing() takes in the plane: how long
 /// that is here and now is measured on a few nodes.
 /// Requires: the session outlives it.

@@ -72,7 +72,7 @@ Session::~Session() {
 }
 
 OutputSet& Session::outputs() {
-  time_to_write_ = 0;
+  time_to_write_ = memory_to_write_ = 0;
   return outputs_;
 }
 
@@ -119,7 +119,8 @@ bool Session::is_short_of_memory() {
   const Clock::time_point now = Clock::now();
   if (!options_.max_memory || now - memory_read_ < kMemoryInterval) return false;
   memory_read_ = now;
-  return resident_bytes() > soft_limit(*options_.max_memory);
+  const auto limit = static_cast<double>(soft_limit(*options_.max_memory));
+  return static_cast<double>(resident_bytes()) > (1 - memory_to_write_) * limit;
 }
 
 double Session::elapsed() const {

@@ -69,6 +69,8 @@ class Session {
   /// For commands that write what is finished at a limit: stops them `seconds` before the time
   /// limit.
   void leave_time_to_write(double seconds) { time_to_write_ = seconds; }
+  /// The same for memory: stops them when only this part of the memory limit is left, 0 to 1.
+  void leave_memory_to_write(double part) { memory_to_write_ = part; }
   /// From now on says this of a command that is cut off, in place of "nothing was written".
   void say_what_stays(std::string outcome);
 
@@ -93,7 +95,8 @@ class Session {
   std::string report_;
   std::string outcome_ = "nothing was written";
   Clock::time_point start_;
-  double time_to_write_ = 0;  // seconds
+  double time_to_write_ = 0;    // seconds
+  double memory_to_write_ = 0;  // a part of the limit
   Clock::time_point last_drawn_, memory_read_;
   bool draws_ = false;
   bool bar_shows_ = false;

@@ -127,5 +127,18 @@ TEST_F(Limits, OfMemoryLeaveTheLevelsThatWereFinished) {
   EXPECT_TRUE(suffices);
 }
 
+TEST_F(Limits, OfMemoryLeaveTheMeshThatWasPacked) {
+  for (const std::string megabytes : {"10", "14", "20"}) {
+    const std::string mesh = directory_ / ("out/mesh" + megabytes);
+    const ProgramRun run = run_program(
+        {"mesh", square_, "--size", "0.003", "-o", mesh, "--max-memory", megabytes, "--quiet"});
+    EXPECT_EQ(run.exit_code, 5) << run.err;
+    EXPECT_EQ(run_program({"audit", mesh + ".node", "--quiet"}).exit_code, 0) << megabytes;
+  }
+  EXPECT_EQ(
+      run_program({"mesh", square_, "--size", "0.003", "--max-memory", "100", "--quiet"}).exit_code,
+      0);
+}
+
 }  // namespace
 }  // namespace wellspaced
