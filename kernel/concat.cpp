@@ -17,7 +17,7 @@ void append_digits(std::string& text, Number number) {
 void append_real(std::string& text, double real) {
 #ifdef __cpp_lib_to_chars
   append_digits(text, real);
-#else  // an older libc++: more digits than need be
+#else  // libc++ does not promise it: more digits than need be
   std::array<char, 32> digits;
   std::snprintf(digits.data(), digits.size(), "%.17g", real);
   text += digits.data();

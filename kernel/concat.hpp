@@ -9,8 +9,8 @@
 
 namespace wellspaced {
 
-/// A piece of a text: words, or a number in the shortest decimal that reads back the same.
-/// Requires: the words outlive the piece.
+/// A piece of a text: words, or a number as a decimal that reads back the same: the shortest, but
+/// for doubles with libc++. Requires: the words outlive the piece.
 class TextPiece {
  public:
   TextPiece(std::string_view words) : kind_(Kind::kWords), words_(words) {}
