@@ -26,8 +26,9 @@ struct SelectedNodes {
 /// The pairs of selected nodes (positions in the list) with f_i + f_j > beta d_G(i, j), where d_G
 /// is the weighted graph distance of the mesh (Definition 7.1.2), along triangle edges and
 /// segments. Only what rounding cannot explain is a violation: a sum of k rounded lengths is
-/// trusted to (k + 4) units of 2^-52. Requires: indices in range; distinct nodes; as many spacing
-/// values as nodes. progress: phase "audit".
+/// trusted to (k + 4) units of 2^-52.
+/// progress: phase "audit".
+/// Requires: indices in range; distinct nodes; as many spacing values as nodes.
 /// Cost: O(s log s) for the s nodes within distance 2 f_i / beta of each node i.
 /// See: sections 7.1 and 7.3; CHOICES 1 and 18.
 std::vector<std::array<Index, 2>> graph_spacing_violations(const TriangleMesh& mesh,

@@ -35,8 +35,9 @@ std::optional<double> shape_value(const TriangleShape& shape, std::string_view n
 ///   min_angle, max_angle (degrees), aspect_ratio, circumradius_to_inradius, radius_edge,
 ///   edge_to_height: the worst over all triangles
 ///   triangles_le_10, triangles_le_20: the triangles whose smallest angle is at most so many
-///   degrees (Table 8.1) shortest_edge, longest_edge, gradation (log2 of their ratio, CHOICES 4),
-///   triangles_per_scale (triangles by gradation), area, perimeter (all boundary edges)
+///     degrees (Table 8.1)
+///   shortest_edge, longest_edge, gradation (log2 of their ratio, CHOICES 4),
+///     triangles_per_scale (triangles by gradation), area, perimeter (all boundary edges)
 /// Histograms: angle (all corners, degrees), aspect_ratio (triangles).
 /// Worst lists: the ten worst triangles by min_angle, max_angle, aspect_ratio and radius_edge.
 /// Requires: audit_syntax passed; half_edges is of this mesh.

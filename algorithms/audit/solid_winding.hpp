@@ -36,8 +36,7 @@ struct SolidVerdict {
 /// 3. Around every edge the faces, sorted by angle, open and close the solid by turns (else two
 ///    wedges overlap). Each opening face is joined to the one that closes its wedge; no face lies
 ///    between them, so d is the same just inside both.
-/// 4. So d is constant just inside each set of joined faces; for one face of each set, it is
-/// counted
+/// 4. So d is constant just inside each set of joined faces. For one face of each set it is counted
 ///    along a ray from a point displaced symbolically: from a corner of the face along one of its
 ///    edges, then much less into the face, then much less into the tet. So the point is just inside
 ///    the face, and the ray passes through no edge. d must be 1.

@@ -17,8 +17,9 @@ namespace wellspaced::audit {
 /// Points p with values f_p >= 0, under a balanced tree of boxes that know the least and the
 /// largest value below them. They define the function f(x) = min over p of f_p + |x - p|: of all
 /// functions that are 1-Lipschitz and at most f_p at every p, the largest. Distances are computed
-/// in floating point, to a few units in the last place. Requires: coordinates and values below
-/// 2^100. Cost: O(n log n) to build; a query is O(log n) for points that are spread out.
+/// in floating point, to a few units in the last place.
+/// Requires: coordinates and values below 2^100.
+/// Cost: O(n log n) to build; a query is O(log n) for points that are spread out.
 template <std::size_t D>
 class SpacingTree {
  public:

@@ -21,10 +21,9 @@ bool is_negative(const TetMesh& mesh);
 ///   no_inverted          every tet is positive or flat
 ///   no_flat              no tet has its corners in one plane
 ///   no_overlap           no two tets have an interior point in common. It is proven for the mesh
-///   as
-///                        a whole by winding numbers (solid_winding.hpp); if the proof fails, the
-///                        overlapping pairs are searched for, and violations is a lower bound where
-///                        they are too many to be found
+///                        as a whole by winding numbers (solid_winding.hpp); if the proof fails,
+///                        the overlapping pairs are searched for, and violations is a lower bound
+///                        where they are too many to be found
 ///   no_improper_contact  boundary faces meet in common corners or edges only: no node lies inside
 ///                        a boundary face or edge, no edges cross (pairs of tets). Flat tets aside
 /// Measures: coincident_nodes, the nodes less the distinct places they lie at.

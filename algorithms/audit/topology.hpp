@@ -20,9 +20,8 @@ bool audit_syntax(const TriangleMesh& mesh, Report& report);
 /// Judges how the triangles are joined. Checks:
 ///   no_duplicate_triangle   (required) no two triangles have the same three nodes
 ///   manifold_edges          (required) at most two triangles share an edge
-///   consistent_orientation  (required) two triangles on an edge run along it in opposite
-///   directions manifold_nodes          the triangles around a node form one fan; two may touch in
-///   a node
+///   consistent_orientation  (required) two triangles on an edge run along it in opposite ways
+///   manifold_nodes          the triangles around a node form one fan; two may touch in a node
 ///                           where boundary curves meet, so this is no fault by itself
 ///   euler                   (required) V - E + F = 2 components - boundary loops, nodes counted
 ///                           once a fan: no handle. violations: the number of handles

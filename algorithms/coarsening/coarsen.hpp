@@ -73,8 +73,8 @@ struct CoarseningOptions {
   /// nodes with large balls come first; for kMis none, so that nodes come by number.
   std::optional<std::vector<double>> priority = std::nullopt;
   /// The special points F; default: automatic_special_points, for kRefinement
-  /// outline_special_points. Ends of inner curves, tips of slits
-  /// and nodes in no edge are added, for the boundary hangs on them.
+  /// outline_special_points. Ends of inner curves, tips of slits and nodes in no edge are added,
+  /// for the boundary hangs on them.
   std::optional<std::vector<Index>> fixed = std::nullopt;
   std::size_t max_levels = SIZE_MAX;  ///< levels after the input
   /// The part, >= 0, of its area by which the domain may change from the finest level to any other.

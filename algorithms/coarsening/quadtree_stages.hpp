@@ -50,9 +50,9 @@ QuadtreeStage first_stage(const Level& finest, const Boundary& boundary, double 
 /// The next stage: T coarsened `doublings` times, and of the candidates one in each of the 4^k
 /// parts of every leaf; on the boundary one for each visit of a curve to such a part. Special
 /// points all stay, and boundary nodes that are needed to keep the boundary from crossing itself.
+/// least: a tree that no stage gets coarser than; its root alone if none is.
 /// Cost: linear in the candidates of this stage, but for contracting the boundary.
 /// See: Theorem 5.8.8.
-/// least: a tree that no stage gets coarser than; its root alone if none is.
 QuadtreeStage next_stage(const QuadtreeStage& stage, int doublings, const Quadtree& least);
 
 /// The tree whose leaves at the special points are at most beta times as wide as these are apart,

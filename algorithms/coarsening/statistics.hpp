@@ -52,11 +52,12 @@ struct LevelStatistics {
 /// What the level's mesh alone tells: sizes, angles and gradation. Requirements and cost as above.
 LevelStatistics mesh_statistics(const TriangleMesh& mesh);
 
-/// The statistics of every level; of the work, what the levels hold
-/// (CoarseningOptions::count_work). intersection: of a level's triangles with those of the level
-/// before, if both have some. progress: phase "measure", at each level; once it says stop, no more
-/// intersections are counted. Requires: as `coarsen` makes hierarchies. Cost: that of counting the
-/// intersections. See: sections 8.1 and 8.4.
+/// The statistics of every level; of the work, what the levels hold: CoarseningOptions::count_work.
+/// Intersections: of a level's triangles with those of the level before, if both have some.
+/// progress: phase "measure", at each level; once it says stop, no more intersections are counted.
+/// Requires: as `coarsen` makes hierarchies.
+/// Cost: that of counting the intersections.
+/// See: sections 8.1 and 8.4.
 std::vector<LevelStatistics> hierarchy_statistics(const Hierarchy& hierarchy,
                                                   const Progress& progress = {});
 

@@ -57,10 +57,10 @@ struct InteriorOptions {
 
 /// mesh: points, those of the boundary first, in its order; the triangles inside; and the pieces of
 ///   the domain's segments at them, segment by segment, each from its start.
-/// boundary_point: one entry a mesh point, which point of the boundary it is; kNoIndex for new
-/// ones. radius: of each mesh point's ball. attributes: of each triangle's zone. balls_packed: how
-/// many interior points have a ball of their own; the others cut bad triangles. is_complete: false
-/// if max_points or the progress callback put an end to it (was_cancelled).
+/// boundary_point: for each mesh point which point of the boundary it is; kNoIndex for new ones.
+/// radius: of each mesh point's ball. attributes: of each triangle's zone.
+/// balls_packed: how many interior points have a ball of their own; the others cut bad triangles.
+/// is_complete: false if max_points or the progress callback put an end to it (was_cancelled).
 struct PackedInterior {
   TriangleMesh mesh;
   std::vector<Index> boundary_point;

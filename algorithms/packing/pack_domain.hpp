@@ -28,12 +28,10 @@ enum class SharpCorners {
 ///   least 2. From 3 + 2 sqrt 2 on the thesis bounds the angles for any domain without sharp
 ///   corners; the larger, the better the angles and the more the nodes.
 /// size: lowers the spacing: balls are no larger than size / 2, so where it is constant nodes are
-/// at
-///   least that far apart and at most about 1.7 times as far. Empty: not lowered.
+///   at least that far apart and at most about 1.7 times as far. Empty: not lowered.
 /// smallest_angle_deg, maximality, placement, max_points: as in InteriorOptions.
 /// progress: phases "prepare" and "start", where stopping is an error, and "pack", where it leaves
-/// a
-///   mesh that is valid, but not as fine as asked for; done: points.
+///   a mesh that is valid, but not as fine as asked for; done: points.
 struct PackingOptions {
   double beta = 2;
   SizeFunction size;

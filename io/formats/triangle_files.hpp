@@ -16,8 +16,9 @@ namespace wellspaced {
 /// X.node; if both hold points, those of X.poly must be the first ones of X.node. Segments come
 /// from X.poly, or else are the edges of X.edge with a marker other than 0. In space X.smesh may
 /// stand for X.poly; but where there is an X.ele, the facets are those of X.face if that exists,
-/// and the segments those of X.edge. Errors: as the readers of triangle_text.hpp; kUnreadable if
-/// `path` is missing or nothing holds points.
+/// and the segments those of X.edge.
+/// Errors: as the readers of triangle_text.hpp; kUnreadable if `path` is missing or nothing holds
+/// points.
 [[gnu::cold]] Result<Geometry> read_triangle_set(const std::string& path,
                                                  std::uint64_t largest = kLargestInput,
                                                  const Progress& progress = {});

@@ -17,8 +17,9 @@ struct Sphere {
 /// Returns: centre and radius in floating point: relative to the radius they err by about 2^-48
 /// over the volume of the tet divided by the product of the three edges at a. So a sliver's are
 /// inexact, and nothing may be decided by them: that is what insphere is for. The radius is the
-/// distance from the centre to a before the centre is rounded. Errors: kInvalidGeometry where the
-/// four points are coplanar (exactly), or the result is not finite.
+/// distance from the centre to a before the centre is rounded.
+/// Errors: kInvalidGeometry where the four points are coplanar (exactly), or the result is not
+///   finite.
 Result<Sphere> circumsphere(Point3 a, Point3 b, Point3 c, Point3 d);
 
 /// The same without a test and without scaling, for what only steers a search. Degenerate: infinite

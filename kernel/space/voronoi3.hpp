@@ -32,10 +32,12 @@ struct VoronoiCell3 {
 /// Which vertices have a facet in common with v is decided exactly: ties give no facets without
 /// area, and equal corners are one. Where the corners lie, and what the box leaves, is computed in
 /// floating point, always inside the box: facets and edges about as small as rounding may be
-/// missing or doubled, with no harm to the volume. Returns: an empty cell if v's does not meet the
-/// box in a volume. Requires: delaunay.dimension() == 3; v is a vertex, no duplicate. Coordinates
-/// beyond 2^200 in magnitude, or neighbours nearer than 2^-200, over- or underflow: then the cell
-/// is meaningless. Cost: quadratic in the number of facets. See: section 3.5.
+/// missing or doubled, with no harm to the volume.
+/// Returns: an empty cell if v's does not meet the box in a volume.
+/// Requires: delaunay.dimension() == 3; v is a vertex, no duplicate. Coordinates beyond 2^200 in
+///   magnitude, or neighbours nearer than 2^-200, over- or underflow: then the cell is meaningless.
+/// Cost: quadratic in the number of facets.
+/// See: section 3.5.
 VoronoiCell3 voronoi_cell(const Delaunay3& delaunay, Index v, const Box3& box);
 
 }  // namespace wellspaced

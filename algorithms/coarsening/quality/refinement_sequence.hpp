@@ -22,10 +22,12 @@ namespace wellspaced {
 /// size is within 2% of its target, unless the special points, or the nodes of the level before,
 /// are more. Level::spacing is the greatest 1-Lipschitz function below beta / 2 times the shortest
 /// edge at each node: by it the nodes are beta-spaced. Nearly no node is left out that it would
-/// have room for: selection_check() tells. No angle is guaranteed. finest: level 0, whose fixed
-/// points hold the anchors and at least 3 nodes on each closed curve. options: targets or ratio,
-/// angle_deg, beta, seed, max_levels, until_nodes, progress. Returns: level 0 and the levels made
-/// from it; not complete if cancelled: then finer levels lack. Errors: those of `coarsen`.
+/// have room for: check_selection() tells. No angle is guaranteed.
+///
+/// finest: level 0, whose fixed points hold the anchors and at least 3 nodes on each closed curve.
+/// options: targets or ratio, angle_deg, beta, seed, max_levels, until_nodes, progress.
+/// Returns: level 0 and the levels made from it; not complete if cancelled: then finer levels lack.
+/// Errors: those of `coarsen`.
 /// Degenerate: a mesh without triangles has no further level.
 /// Cost: a few coarsening functions for the sizes, one for each level, then O(log n) a node; some
 ///   30 local edits for each triangle that stays thin.

@@ -23,8 +23,7 @@ using SizeFunction3 = std::function<double(Point3)>;
 ///   than 3. The larger, the better the tets and the more the nodes.
 /// size: lowers the spacing: balls are no larger than size / 2. Empty: not lowered.
 /// size_slope: the size grows by at most this much per unit of length; infinite if nothing is
-/// known.
-///   Only up to 2 / beta is there a guarantee.
+///   known. Only up to 2 / beta is there a guarantee.
 /// maximality: until no circumcentre, or no point at all, can be added to a facet or solid.
 /// flatness: the tolerance for planes and right angles; 0 to 0.001.
 /// max_points: where to stop.

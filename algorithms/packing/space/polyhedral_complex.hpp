@@ -46,9 +46,8 @@ struct PolyhedralComplex {
 /// Makes coincident points one, merges coplanar facets and triangulates each in its plane.
 ///
 /// Errors: kInvalidGeometry for a coordinate that is not finite (ids: points, facets), a number
-/// that names
-///   no point (ids: facets or segments), a facet that is not flat, encloses nothing, or whose edges
-///   cross (ids: facets); those of merge_coplanar_facets.
+///   that names no point (ids: facets or segments), a facet that is not flat, encloses nothing, or
+///   whose edges cross (ids: facets); those of merge_coplanar_facets.
 /// Requires: 0 <= flatness < 1. Cost: O(n log n).
 Result<PolyhedralComplex> build_complex(const Pls& domain, double flatness = kFlatness,
                                         const Progress& progress = {});
