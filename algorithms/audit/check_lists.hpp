@@ -13,7 +13,7 @@ namespace wellspaced::audit {
 /// Adds a required check on the items 0 .. count - 1; returns whether all are good.
 template <class Good>
 bool check_each(Report& report, std::string_view name, Item item, std::size_t count, Good good) {
-  Check& check = report.add_check(name, item, true);
+  Check& check = report.add_required_check(name, item);
   for (Index i = 0; i < count; ++i)
     if (!good(i)) check.violate({i});
   return check.pass();
@@ -22,7 +22,7 @@ bool check_each(Report& report, std::string_view name, Item item, std::size_t co
 /// Adds a check that the listed items violate; ids_per(item) ids for each.
 inline Check& list_violations(Report& report, std::string_view name, Item item,
                               const std::vector<Index>& ids) {
-  Check& check = report.add_check(name, item, false);
+  Check& check = report.add_check(name, item);
   check.violations = ids.size() / ids_per(item);
   check.ids = ids;
   return check;

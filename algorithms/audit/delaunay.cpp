@@ -41,7 +41,7 @@ class DelaunayAudit {
   }
 
   void audit_circumcentres(Report& report) const {
-    Check& check = report.add_check("circumcentres_inside", Item::kTriangle, false);
+    Check& check = report.add_check("circumcentres_inside", Item::kTriangle);
     std::uint64_t budget = 32 * std::uint64_t{mesh_.triangles.size()}, undecided = 0;
     const bool all_delaunay = report.check("delaunay")->pass();
     for (const Index h : all_delaunay ? leading_out() : facing_obtuse_) {

@@ -105,25 +105,25 @@ class ChainWalk {
 };
 
 void audit_points(const Pslg& domain, const ChainWalk& walk, Report& report) {
-  Check& check = report.add_check("domain_points_are_nodes", Item::kDomainPoint, true);
+  Check& check = report.add_required_check("domain_points_are_nodes", Item::kDomainPoint);
   for (Index i = 0; i < domain.points.size(); ++i)
     if (!walk.has_node_at(domain.points[i])) check.violate({i});
 }
 
 void audit_segments(const TriangleMesh& mesh, const Pslg& domain, ChainWalk& walk, Report& report) {
-  Check& check = report.add_check("domain_segments_are_edges", Item::kDomainSegment, true);
+  Check& check = report.add_required_check("domain_segments_are_edges", Item::kDomainSegment);
   for (Index s = 0; s < domain.segments.size(); ++s) {
     const Point2 a = domain.points[domain.segments[s].a], b = domain.points[domain.segments[s].b];
     if (!walk.follow(a, b)) check.violate({s});
   }
-  Check& exact = report.add_check("domain_segments_exact", Item::kNode, false);
+  Check& exact = report.add_check("domain_segments_exact", Item::kNode);
   for (Index v = 0; v < mesh.points.size(); ++v)
     if (walk.is_off_line(v)) exact.violate({v});
 }
 
 void audit_boundary(const TriangleMesh& mesh, const HalfEdges& half_edges, const ChainWalk& walk,
                     Report& report) {
-  Check& check = report.add_check("boundary_on_domain", Item::kEdge, true);
+  Check& check = report.add_required_check("boundary_on_domain", Item::kEdge);
   for (Index h = 0; h < half_edges.twin.size(); ++h)
     if (half_edges.twin[h] == kNoIndex && !walk.is_on_domain(h))
       check.violate({origin(mesh.triangles, h), target(mesh.triangles, h)});
@@ -142,7 +142,7 @@ void audit_holes(const TriangleMesh& mesh, std::span<const Point2> holes, Report
   std::vector<Box<2>> boxes;
   for (const Point2 p : holes) boxes.push_back(box_of(p));
   const BoxTree<2> tree(boxes);
-  Check& check = report.add_check("holes_are_open", Item::kTriangle, true);
+  Check& check = report.add_required_check("holes_are_open", Item::kTriangle);
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const Box<2> box = box_of(mesh.points[a], mesh.points[b], mesh.points[c]);

@@ -123,9 +123,9 @@ void audit_embedding(const TriangleMesh& mesh, const HalfEdges& half_edges,
                      const std::vector<std::int8_t>& orientation, Report& report) {
   check_orientations(report, Item::kTriangle, orientation);
   const WindingVerdict verdict = cover_at_most_once(boundary_chain(mesh, half_edges, orientation));
-  Check& check = report.add_check("no_overlap", Item::kTrianglePair, true);
+  Check& check = report.add_required_check("no_overlap", Item::kTrianglePair);
   if (!verdict.at_most_once) OverlapSearch(mesh, orientation).run(check);
-  Check& hanging = report.add_check("no_hanging_node", Item::kNode, true);
+  Check& hanging = report.add_required_check("no_hanging_node", Item::kNode);
   for (const Index v : verdict.hanging_nodes) hanging.violate({v});
   const bool inner_differ = verdict.at_most_once && report.check("no_unused_node")->pass();
   report.add_measure(

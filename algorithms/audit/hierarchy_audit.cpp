@@ -106,7 +106,7 @@ void mark_not_promised(Check& check) { check.required = check.promised = false; 
 
 // holders: for each node of the level the one that it is in another mesh, kNoIndex if in none.
 void audit_nodes_within(Judged& coarse, const std::vector<Index>& holders, std::string_view name) {
-  Check& check = coarse.report.add_check(name, Item::kNode, true);
+  Check& check = coarse.report.add_required_check(name, Item::kNode);
   for (Index v = 0; v < holders.size(); ++v) {
     const bool unique = coarse.origins[v] == kNoIndex || coarse.numbers[coarse.origins[v]] == v;
     if (holders[v] == kNoIndex || !unique) check.violate({v});
@@ -123,7 +123,7 @@ void audit_nesting(Judged& coarse, Nesting nesting) {
 void audit_size(Judged& coarse, const Judged& finer) {
   const auto nodes = static_cast<double>(coarse.mesh().points.size());
   const auto finer_nodes = static_cast<double>(finer.mesh().points.size());
-  Check& check = coarse.report.add_check("fewer_nodes", Item::kNone, false);
+  Check& check = coarse.report.add_check("fewer_nodes", Item::kNone);
   if (nodes >= finer_nodes) check.violate({});
   coarse.report.add_measure("size_ratio", nodes > 0 ? finer_nodes / nodes : 0);
 }
@@ -148,17 +148,17 @@ std::vector<int> markers_of(const TriangleMesh& mesh) {
 
 void audit_boundary(Judged& coarse, const Judged& finer, const Judged& finest) {
   Report& report = coarse.report;
-  Check& nested = report.add_check("boundary_nested", Item::kNode, false);
+  Check& nested = report.add_check("boundary_nested", Item::kNode);
   const auto flags = boundary_flags(coarse.mesh()), finer_flags = boundary_flags(finer.mesh());
   for (Index v = 0; v < flags.size(); ++v) {
     const Index parent = coarse.parents[v];
     if (flags[v] != 0 && parent != kNoIndex && finer_flags[parent] == 0) nested.violate({v});
   }
-  Check& holes = report.add_check("holes_kept", Item::kNone, false);
+  Check& holes = report.add_check("holes_kept", Item::kNone);
   for (const char* name : {"boundary_loops", "components"})
     holes.violations +=
         static_cast<std::uint64_t>(std::fabs(coarse.measured(name) - finer.measured(name)));
-  Check& markers = report.add_check("markers_kept", Item::kNone, false);
+  Check& markers = report.add_check("markers_kept", Item::kNone);
   const auto alive = markers_of(coarse.mesh());
   for (const int marker : markers_of(finer.mesh())) markers.violations += !is_among(marker, alive);
   const auto lines = boundary_lines(coarse.mesh());
@@ -171,7 +171,7 @@ void audit_boundary(Judged& coarse, const Judged& finer, const Judged& finest) {
 
 void audit_fixed(Judged& coarse, std::span<const Index> fixed) {
   if (fixed.empty()) return;
-  Check& check = coarse.report.add_check("fixed_nodes_kept", Item::kNode, false);
+  Check& check = coarse.report.add_check("fixed_nodes_kept", Item::kNode);
   for (const Index v : fixed)
     if (v >= coarse.numbers.size() || coarse.numbers[v] == kNoIndex) check.violate({v});
 }
@@ -226,7 +226,7 @@ void audit_graph_lipschitz(Report& report, const TriangleMesh& mesh, const Selec
     values[selected.nodes[i]] = selected.spacing[i];
   const std::vector<double> least = coarsened_in_graph(mesh, values, 1, parts.part(3));
   if (parts.stopped()) return;
-  Check& check = report.add_check("graph_lipschitz", Item::kNode, false);
+  Check& check = report.add_check("graph_lipschitz", Item::kNode);
   for (std::size_t i = 0; i < selected.nodes.size(); ++i)
     if (least[selected.nodes[i]] * kSlack < selected.spacing[i]) check.violate({level_nodes[i]});
 }
@@ -249,13 +249,13 @@ void audit_level_spacing(Judged& coarse, const Judged& selected_from,
     exempt.push_back(std::binary_search(fixed.begin(), fixed.end(), coarse.origins[v]));
   }
   const SelectedNodes selected{nodes, spacing, options.beta, exempt};
-  Check& graph = coarse.report.add_check("graph_spacing", Item::kEdge, false);
+  Check& graph = coarse.report.add_check("graph_spacing", Item::kEdge);
   graph.value = options.beta;
   add_pairs(graph, graph_spacing_violations(selected_from.mesh(), selected, parts.part(2)),
             level_nodes);
   if (parts.stopped()) return;
   audit_graph_lipschitz(coarse.report, selected_from.mesh(), selected, level_nodes, parts);
-  Check& euclidean = coarse.report.add_check("euclidean_spacing", Item::kEdge, false);
+  Check& euclidean = coarse.report.add_check("euclidean_spacing", Item::kEdge);
   euclidean.value = options.beta;
   for (const auto& [v, w] :
        euclidean_spacing_violations(coarse.mesh(), coarse.level.spacing, options.beta))
@@ -374,7 +374,7 @@ void judge_against(Judged& coarse, const Judged& finer, const Judged& finest,
 // required ones.
 void sum_up(Report& report, std::string_view name, std::span<const Judged> levels,
             std::string_view of) {
-  Check& check = report.add_check(name, Item::kNone, true);
+  Check& check = report.add_required_check(name, Item::kNone);
   for (std::size_t k = of.empty() ? 0 : 1; k < levels.size(); ++k)
     for (const Check& part : levels[k].report.checks)
       if (of.empty() ? part.required : part.name == of) check.violations += part.violations;

@@ -81,11 +81,16 @@ const Check* Report::check(std::string_view name) const { return find(checks, na
 
 const Measure* Report::measure(std::string_view name) const { return find(measures, name); }
 
-Check& Report::add_check(std::string_view name, Item item, bool required) {
+Check& Report::add_check(std::string_view name, Item item) {
   Check& check = checks.emplace_back();
   check.name = name;
   check.item = item;
-  check.required = required;
+  return check;
+}
+
+Check& Report::add_required_check(std::string_view name, Item item) {
+  Check& check = add_check(name, item);
+  check.required = true;
   return check;
 }
 

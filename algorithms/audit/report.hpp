@@ -115,7 +115,8 @@ struct Report {
   const Measure* measure(std::string_view name) const;
 
   /// Appends an empty check. The reference dies with the next one appended.
-  Check& add_check(std::string_view name, Item item, bool required);
+  Check& add_check(std::string_view name, Item item);
+  Check& add_required_check(std::string_view name, Item item);
   void add_measure(std::string_view name, double value) {
     measures.push_back({std::string(name), value, std::nullopt});
   }

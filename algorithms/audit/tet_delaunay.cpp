@@ -45,7 +45,7 @@ class TetDelaunayAudit {
   }
 
   void audit_circumcentres(const Progress& progress, Report& report) const {
-    Check& check = report.add_check("circumcentres_inside", Item::kTet, false);
+    Check& check = report.add_check("circumcentres_inside", Item::kTet);
     std::uint64_t budget = 32 * std::uint64_t{mesh_.tets.size()}, undecided = 0;
     ProgressMeter meter(progress, "audit", mesh_.tets.size(), kFacesAQuestion);
     for (Index t = 0; t < mesh_.tets.size() && meter.step(); ++t) {

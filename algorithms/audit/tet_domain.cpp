@@ -326,7 +326,7 @@ class DomainAudit {
 
  private:
   void audit_points(Report& report) const {
-    Check& check = report.add_check("domain_points_are_nodes", Item::kDomainPoint, true);
+    Check& check = report.add_required_check("domain_points_are_nodes", Item::kDomainPoint);
     const std::vector<Index>& inner = domain_.inner_points;
     for (Index i = 0; i < domain_.points.size(); ++i)
       if (index_.node_at(domain_.points[i]) == kNoIndex &&
@@ -335,7 +335,7 @@ class DomainAudit {
   }
 
   void audit_segments(Report& report) {
-    Check& check = report.add_check("domain_segments_are_edges", Item::kDomainSegment, true);
+    Check& check = report.add_required_check("domain_segments_are_edges", Item::kDomainSegment);
     Index number = 0;
     const auto judge = [&](Index a, Index b) {
       if (find_chain(a, b).empty() && domain_.points[a] != domain_.points[b])
@@ -363,7 +363,7 @@ class DomainAudit {
   }
 
   void audit_facets(Report& report) {
-    Check& check = report.add_check("domain_facets_are_faces", Item::kFacet, true);
+    Check& check = report.add_required_check("domain_facets_are_faces", Item::kFacet);
     std::vector<Index> missing;
     for (Index i = 0; i < domain_.facets.size(); ++i)
       if (!is_union_of_faces(domain_.facets[i])) missing.push_back(i);
@@ -397,7 +397,7 @@ class DomainAudit {
   }
 
   void audit_boundary(Report& report) const {
-    Check& check = report.add_check("boundary_on_domain", Item::kFace, true);
+    Check& check = report.add_required_check("boundary_on_domain", Item::kFace);
     for (Index f = 0; f < faces_.twin.size(); ++f) {
       if (faces_.twin[f] != kNoIndex || on_domain_[f] != 0) continue;
       const Face nodes = face_nodes(mesh_.tets, f);
@@ -422,7 +422,7 @@ class DomainAudit {
     std::vector<Box<3>> boxes;
     for (const Point3& p : domain_.holes) boxes.push_back(box_of(p));
     const BoxTree<3> tree(boxes);
-    Check& check = report.add_check("holes_are_open", Item::kTet, true);
+    Check& check = report.add_required_check("holes_are_open", Item::kTet);
     for (Index t = 0; t < mesh_.tets.size(); ++t) {
       const auto& [a, b, c, d] = mesh_.tets[t];
       const Box<3> box = box_of(mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]);

@@ -128,14 +128,14 @@ void audit_tet_embedding(const TetMesh& mesh, const TetFaces& faces,
   check_orientations(report, Item::kTet, orientation);
   const Chain chain = boundary_chain(mesh, faces, orientation);
   const SolidVerdict verdict = cover_at_most_once(mesh.points, chain.faces);
-  Check& check = report.add_check("no_overlap", Item::kTetPair, true);
+  Check& check = report.add_required_check("no_overlap", Item::kTetPair);
   if (!verdict.at_most_once) {
     const bool complete = TetOverlapSearch(mesh, orientation).run(check);
     // Improper contacts alone say nothing; anything else has refuted the mesh.
     const bool settled = complete && !verdict.improper_contacts.empty();
     if (check.pass() && !settled) check.violate({});
   }
-  Check& contacts = report.add_check("no_improper_contact", Item::kTetPair, true);
+  Check& contacts = report.add_required_check("no_improper_contact", Item::kTetPair);
   for (const auto& [t, u] : pairs_of_tets(chain, verdict.improper_contacts))
     contacts.violate({t, u});
   report.add_measure("coincident_nodes", static_cast<double>(count_coincident(mesh)));

@@ -175,7 +175,7 @@ class TetShapes {
   }
 
   void report_to(Report& report) const {
-    Check& check = report.add_check("no_sliver", Item::kTet, false);
+    Check& check = report.add_check("no_sliver", Item::kTet);
     for (const Index t : slivers_) check.violate({t});
     if (mesh_.tets.empty()) return;
     report.add_measure("min_dihedral", arccotangent_deg(min_dihedral_.worst_key()));

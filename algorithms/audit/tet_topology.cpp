@@ -16,7 +16,7 @@ std::uint64_t count_used_nodes(const TetMesh& mesh, Report& report) {
   std::vector<std::uint8_t> used(mesh.points.size(), 0);
   for (const auto& tet : mesh.tets)
     for (const Index v : tet) used[v] = 1;
-  Check& check = report.add_check("no_unused_node", Item::kNode, false);
+  Check& check = report.add_check("no_unused_node", Item::kNode);
   for (Index v = 0; v < used.size(); ++v)
     if (used[v] == 0) check.violate({v});
   return mesh.points.size() - check.violations;
@@ -24,7 +24,7 @@ std::uint64_t count_used_nodes(const TetMesh& mesh, Report& report) {
 
 // Which segments are edges of tets: sorted, they are looked for among all edges between their ends.
 void audit_segments(const TetMesh& mesh, Report& report) {
-  Check& check = report.add_check("segments_are_edges", Item::kSegment, true);
+  Check& check = report.add_required_check("segments_are_edges", Item::kSegment);
   if (mesh.segments.empty()) return;
   std::vector<std::array<Index, 2>> edges;
   std::vector<std::uint8_t> at_end(mesh.points.size(), 0);
@@ -45,11 +45,11 @@ void audit_facets(const TetMesh& mesh, const TetFaces& faces, Report& report) {
   list_violations(report, "no_duplicate_facet", Item::kFacet, faces.duplicate_facets);
   list_violations(report, "one_marker_per_facet", Item::kFacet, faces.conflicting_facets).required =
       true;
-  Check& check = report.add_check("facets_are_faces", Item::kFacet, true);
+  Check& check = report.add_required_check("facets_are_faces", Item::kFacet);
   for (Index i = 0; i < mesh.facets.size(); ++i)
     if (faces.facet_face[i] == kNoIndex) check.violate({i});
   if (mesh.facets.empty()) return;
-  Check& boundary = report.add_check("boundary_has_facets", Item::kFace, false);
+  Check& boundary = report.add_check("boundary_has_facets", Item::kFace);
   for (Index f = 0; f < faces.twin.size(); ++f) {
     if (faces.twin[f] != kNoIndex || faces.constrained[f] != 0) continue;
     const Face nodes = face_nodes(mesh.tets, f);
@@ -67,7 +67,7 @@ BoundaryFigures audit_boundary(const TetMesh& mesh, const BoundarySurface& surfa
                                Report& report) {
   const auto nodes = static_cast<Index>(mesh.points.size());
   const HalfEdges half_edges = pair_half_edges(surface.triangles, {}, nodes);
-  Check& edges = report.add_check("manifold_boundary_edges", Item::kEdge, false);
+  Check& edges = report.add_check("manifold_boundary_edges", Item::kEdge);
   edges.ids = half_edges.crowded_edges;
   edges.ids.insert(edges.ids.end(), half_edges.disagreeing_edges.begin(),
                    half_edges.disagreeing_edges.end());
@@ -75,7 +75,7 @@ BoundaryFigures audit_boundary(const TetMesh& mesh, const BoundarySurface& surfa
   const bool edges_pass = edges.pass();
   std::uint64_t fans = 0;
   const auto fans_at = count_fans(surface.triangles, half_edges, nodes, fans);
-  Check& manifold = report.add_check("manifold_boundary_nodes", Item::kNode, false);
+  Check& manifold = report.add_check("manifold_boundary_nodes", Item::kNode);
   for (Index v = 0; v < nodes; ++v)
     if (fans_at[v] > 1) manifold.violate({v});
   const auto faces = static_cast<std::int64_t>(surface.triangles.size());
@@ -86,7 +86,7 @@ BoundaryFigures audit_boundary(const TetMesh& mesh, const BoundarySurface& surfa
 void audit_euler(std::int64_t characteristic, const BoundaryFigures& boundary, Report& report) {
   report.add_measure("euler_characteristic", static_cast<double>(characteristic));
   if (!boundary.manifold) return;
-  Check& check = report.add_check("euler", Item::kNone, true);
+  Check& check = report.add_required_check("euler", Item::kNone);
   check.value = static_cast<double>(characteristic);
   check.violations =
       static_cast<std::uint64_t>(std::abs(2 * characteristic - boundary.characteristic));
@@ -121,7 +121,7 @@ bool audit_tet_syntax(const TetMesh& mesh, Report& report) {
     const std::array ends{mesh.segments[i].a, mesh.segments[i].b};
     return in_range(ends, nodes) && distinct(ends);
   });
-  Check& data = report.add_check("valid_node_data", Item::kNode, true);
+  Check& data = report.add_required_check("valid_node_data", Item::kNode);
   if (!mesh.point_markers.empty() && mesh.point_markers.size() != nodes) ++data.violations;
   return data.pass() && ok;
 }

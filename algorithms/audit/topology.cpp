@@ -12,7 +12,7 @@ namespace {
 bool valid(const Segment& s, std::size_t nodes) { return s.a < nodes && s.b < nodes && s.a != s.b; }
 
 bool audit_node_data(const TriangleMesh& mesh, Report& report) {
-  Check& check = report.add_check("valid_node_data", Item::kNode, true);
+  Check& check = report.add_required_check("valid_node_data", Item::kNode);
   if (!mesh.point_markers.empty() && mesh.point_markers.size() != mesh.points.size())
     ++check.violations;
   for (const Index v : mesh.fixed)
@@ -38,24 +38,24 @@ std::uint64_t count_boundary_edges(const HalfEdges& half_edges) {
 }
 
 void audit_nodes(const std::vector<std::uint8_t>& fans, Report& report) {
-  Check& manifold = report.add_check("manifold_nodes", Item::kNode, false);
+  Check& manifold = report.add_check("manifold_nodes", Item::kNode);
   for (Index v = 0; v < fans.size(); ++v)
     if (fans[v] > 1) manifold.violate({v});
-  Check& unused = report.add_check("no_unused_node", Item::kNode, false);
+  Check& unused = report.add_check("no_unused_node", Item::kNode);
   for (Index v = 0; v < fans.size(); ++v)
     if (fans[v] == 0) unused.violate({v});
 }
 
 void audit_segments(const TriangleMesh& mesh, const HalfEdges& half_edges, Report& report) {
-  Check& repeated = report.add_check("no_duplicate_segment", Item::kSegment, false);
+  Check& repeated = report.add_check("no_duplicate_segment", Item::kSegment);
   for (const Index s : half_edges.duplicate_segments) repeated.violate({s});
-  Check& markers = report.add_check("one_marker_per_edge", Item::kSegment, true);
+  Check& markers = report.add_required_check("one_marker_per_edge", Item::kSegment);
   for (const Index s : half_edges.conflicting_segments) markers.violate({s});
-  Check& edges = report.add_check("segments_are_edges", Item::kSegment, true);
+  Check& edges = report.add_required_check("segments_are_edges", Item::kSegment);
   for (Index s = 0; s < mesh.segments.size(); ++s)
     if (half_edges.segment_edge[s] == kNoIndex) edges.violate({s});
   if (mesh.segments.empty()) return;
-  Check& boundary = report.add_check("boundary_has_segments", Item::kEdge, false);
+  Check& boundary = report.add_check("boundary_has_segments", Item::kEdge);
   for (Index h = 0; h < half_edges.twin.size(); ++h)
     if (half_edges.twin[h] == kNoIndex && half_edges.constrained[h] == 0)
       boundary.violate({origin(mesh.triangles, h), target(mesh.triangles, h)});
@@ -71,7 +71,7 @@ void audit_euler(const TriangleMesh& mesh, const HalfEdges& half_edges, const Co
   const auto sides = 3 * faces, rims = static_cast<std::int64_t>(counts.boundary_edges);
   const auto characteristic = static_cast<std::int64_t>(counts.fans) - (sides + rims) / 2 + faces;
   const auto expected = static_cast<std::int64_t>(2 * counts.components - counts.loops);
-  Check& check = report.add_check("euler", Item::kNone, true);
+  Check& check = report.add_required_check("euler", Item::kNone);
   check.violations = static_cast<std::uint64_t>(std::abs(expected - characteristic)) / 2;
   check.value = static_cast<double>(characteristic);
   report.add_measure("euler_characteristic", static_cast<double>(counts.nodes) -

@@ -33,7 +33,7 @@ bool is_unit(std::span<const Index> row, std::span<const double> values, Index c
 
 template <class Holds>
 void check_rows(Report& report, std::string_view name, const SparseMatrix& p, Holds holds) {
-  Check& check = report.add_check(name, Item::kNode, true);
+  Check& check = report.add_required_check(name, Item::kNode);
   for (Index i = 0; i < p.rows(); ++i)
     if (!holds(p.row(i), p.row_values(i))) check.violate({i});
 }
@@ -44,7 +44,7 @@ Report audit_transfer(const SparseMatrix& p, std::span<const Index> parent) {
   using Columns = std::span<const Index>;
   using Values = std::span<const double>;
   Report report;
-  Check& shape = report.add_check("transfer_shape", Item::kNone, true);
+  Check& shape = report.add_required_check("transfer_shape", Item::kNone);
   if (!has_shape(p, parent)) {
     shape.violate({});
     return report;
@@ -55,7 +55,7 @@ Report audit_transfer(const SparseMatrix& p, std::span<const Index> parent) {
              [](Columns, Values values) { return std::ranges::all_of(values, is_weight); });
   check_rows(report, "transfer_row_sums", p,
              [](Columns, Values values) { return adds_up_to_one(values); });
-  Check& rank = report.add_check("transfer_rank", Item::kNode, true);
+  Check& rank = report.add_required_check("transfer_rank", Item::kNode);
   for (Index c = 0; c < parent.size(); ++c)
     if (!is_unit(p.row(parent[c]), p.row_values(parent[c]), c)) rank.violate({parent[c]});
 

@@ -254,7 +254,7 @@ class SpacingAudit {
     measure_boundary_distance(boundary);
     if (parts_.stopped()) return;
     const double gap = measure_gaps(spacing, boundary);
-    Check& check = report_.add_check("well_spaced", Item::kNone, false);
+    Check& check = report_.add_check("well_spaced", Item::kNone);
     check.value = gap;
     if (!lipschitz || !std::isfinite(gap)) check.violate({});
   }
@@ -279,7 +279,7 @@ class SpacingAudit {
 
   // The values by place; returns whether they make sense.
   bool find_values() {
-    Check& check = report_.add_check("spacing_positive", Item::kNode, false);
+    Check& check = report_.add_check("spacing_positive", Item::kNode);
     values_ = nearest_;
     if (options_.spacing.empty()) return true;
     values_.assign(places_.at.size(), kInfinity);
@@ -297,7 +297,7 @@ class SpacingAudit {
   }
 
   bool audit_lipschitz(const SpacingTree<D>& spacing) {
-    Check& check = report_.add_check("lipschitz", Item::kEdge, false);
+    Check& check = report_.add_check("lipschitz", Item::kEdge);
     for_each(values_.size(), [&](Index p) {
       const auto found = spacing.at(places_.at[p]);
       if (found.value * kRounding < values_[p]) violate(check, p, found.node);
@@ -315,7 +315,7 @@ class SpacingAudit {
     report_.add_measure("beta", beta);
     add_witness("beta", places_.at[first], places_.at[second]);
     if (options_.beta <= 0) return;
-    Check& check = report_.add_check("beta_spaced", Item::kEdge, false);
+    Check& check = report_.add_check("beta_spaced", Item::kEdge);
     check.value = options_.beta;
     for_each(values_.size(), [&](Index p) {
       const auto found =
@@ -353,7 +353,7 @@ class SpacingAudit {
 
   // Flat elements, of which no centre is known, are not judged.
   void audit_spheres(const SpacingTree<D>& spacing) {
-    Check& check = report_.add_check("spheres_empty", D == 2 ? Item::kTriangle : Item::kTet, false);
+    Check& check = report_.add_check("spheres_empty", D == 2 ? Item::kTriangle : Item::kTet);
     for_each(cells_of(mesh_).size(), [&](Index e) {
       const auto corners = corners_of(cells_of(mesh_)[e]);
       const auto [centre, error] = circumcentre<D>(corners);
@@ -395,7 +395,7 @@ class SpacingAudit {
   double measure_gaps(const SpacingTree<D>& spacing, const BoundaryPieces<D>& boundary) {
     const Mesh delaunay = delaunay_mesh(places_, next_part());
     if (parts_.stopped()) return kInfinity;
-    Check& check = report_.add_check("gaps_certified", Item::kNone, false);
+    Check& check = report_.add_check("gaps_certified", Item::kNone);
     if (!is_delaunay(delaunay, next_part())) check.violate({});
     if (parts_.stopped()) return kInfinity;
     SpacedPoints<D> points{places_.at,         spacing,    cells_of(delaunay), boundary,

@@ -161,7 +161,7 @@ bool is_triangle_set(const std::string& path) { return triangle_set_name(path) !
 audit::Report report_on(const Error& invalid_input, Session& session) {
   session.note(invalid_input.message);
   audit::Report report;
-  report.add_check("valid_input", audit::Item::kNone, true).violate({});
+  report.add_required_check("valid_input", audit::Item::kNone).violate({});
   return report;
 }
 
