@@ -13,7 +13,7 @@ namespace wellspaced::audit {
 namespace {
 
 constexpr double kRelativeError = 1e-6;
-constexpr double kNegligible = 0x1p-40;  // of the largest coordinate
+constexpr double kNegligible = 0x1p-40;  // where the largest coordinate is about 1
 
 Point2 middle(Point2 p, Point2 q) { return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2}; }
 
@@ -67,12 +67,20 @@ double largest_coordinate(std::span<const Line> lines) {
   return largest;
 }
 
-// The largest distance of a point of `from` from `to`. The distance from one line is convex, so
-// over a piece of a segment it is largest at an end: an upper bound on the distance from all.
+std::vector<Line> scaled(std::span<const Line> lines, double scale) {
+  std::vector<Line> result(lines.begin(), lines.end());
+  for (Line& line : result)
+    for (Point2& p : line) p = {scale * p.x, scale * p.y};
+  return result;
+}
+
+// The largest distance of a point of `from` from `to`; no coordinate is larger than about 1. The
+// distance from one line is convex, so over a piece of a segment it is largest at an end: an upper
+// bound on the distance from all. It exceeds the distance of the middle by half the piece at most,
+// so pieces are not halved far below kNegligible.
 double one_sided_distance(std::span<const Line> from, std::span<const Line> to) {
   const LineSet set(to);
   std::vector<Line> pieces;
-  const double negligible = kNegligible * largest_coordinate(from);
   double largest = 0;
   Index near = 0;
   const auto distance_of = [&](Point2 p) {
@@ -88,7 +96,7 @@ double one_sided_distance(std::span<const Line> from, std::span<const Line> to) 
       const Point2 half = middle(p, q);
       largest = std::max(largest, distance_of(half));
       const double bound = std::max(set.distance_from(near, p), set.distance_from(near, q));
-      if (bound <= std::max(largest * (1 + kRelativeError), negligible)) continue;
+      if (bound <= largest + std::max(largest * kRelativeError, kNegligible)) continue;
       pieces.push_back({p, half});
       pieces.push_back({half, q});
     }
@@ -113,7 +121,11 @@ std::vector<Line> boundary_lines(const TriangleMesh& mesh) {
 double hausdorff_distance(std::span<const Line> a, std::span<const Line> b) {
   if (a.empty() != b.empty()) return kInfinity;
   if (a.empty()) return 0;
-  return std::max(one_sided_distance(a, b), one_sided_distance(b, a));
+  const double largest = std::max(largest_coordinate(a), largest_coordinate(b));
+  if (largest == 0) return 0;
+  const double scale = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+  const std::vector<Line> p = scaled(a, scale), q = scaled(b, scale);
+  return std::max(one_sided_distance(p, q), one_sided_distance(q, p)) / scale;
 }
 
 }  // namespace wellspaced::audit

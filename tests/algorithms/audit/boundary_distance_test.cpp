@@ -70,6 +70,31 @@ TEST(HausdorffDistance, IsTheHeightOfADroppedCorner) {
   EXPECT_NEAR(audit::hausdorff_distance(coarse, fine), 1, 1e-12);
 }
 
+// Squares of such coordinates are no doubles, and halves of the smallest are 0.
+TEST(HausdorffDistance, HoldsForTheLargestAndTheSmallestDoubles) {
+  for (const double unit : {0x1p1020, 0x1p500, 0x1p-500, 0x1p-1070}) {
+    const std::vector<Line> fine = {{Point2{0, 0}, Point2{2 * unit, unit}},
+                                    {Point2{2 * unit, unit}, Point2{4 * unit, 0}}};
+    const std::vector<Line> coarse = {{Point2{0, 0}, Point2{4 * unit, 0}}};
+    EXPECT_EQ(audit::hausdorff_distance(fine, coarse), unit);
+    EXPECT_EQ(audit::hausdorff_distance(coarse, fine), unit);
+  }
+}
+
+TEST(HausdorffDistance, EndsWhereRoundingHidesTheNearestLine) {
+  Random random(11);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Line> a, b;
+    const auto near = [&](double x) { return x + static_cast<double>(random.below(9)) * 0x1p-52; };
+    for (int i = 0; i < 6; ++i) {
+      const Line line = {Point2{random.uniform(), 1}, Point2{random.uniform(), 1}};
+      a.push_back(line);
+      b.push_back({Point2{near(line[0].x), near(1)}, Point2{near(line[1].x), near(1)}});
+    }
+    EXPECT_LT(audit::hausdorff_distance(a, b), 1e-14);
+  }
+}
+
 TEST(HausdorffDistance, IsInfiniteToNothing) {
   const std::vector<Line> a = {{Point2{0, 0}, Point2{1, 0}}};
   EXPECT_TRUE(std::isinf(audit::hausdorff_distance(a, {})));
