@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "wellspaced/algorithms/mesh/delaunay_cells.hpp"
+#include "wellspaced/algorithms/mesh/directed_edges.hpp"
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/cli/stopwatch.hpp"
 #include "wellspaced/io/formats/formats.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct Report {
   std::size_t points = 0, distinct_points = 0, duplicates = 0, hull_points = 0;
   std::size_t added_points = 0, constrained_edges = 0;
+  std::size_t hull_triangles = 0;
   int dimension = -1;
   std::optional<std::size_t> triangles, tets;
   std::optional<std::string> cells_sha256;
@@ -79,6 +81,7 @@ void describe(const Delaunay2& delaunay, bool cells_hash, std::span<const Segmen
   report.distinct_points = report.points - report.duplicates;
   const std::size_t added = delaunay.points().size() - report.points;
   report.added_points = added - count_duplicates(delaunay, report.points, added);
+  report.hull_triangles = all.size();
   report.hull_points = count_hull_points(delaunay, all.size());
   if (cells_hash && delaunay.dimension() == 2)
     report.cells_sha256 =
@@ -158,6 +161,18 @@ Status triangulate_any(const Choices& choices, const Progress& progress, Geometr
 
 // ---- Output --------------------------------------------------------------------------------
 
+// Segments outside the domain have no triangle beside them and are no part of a mesh. Where there
+// are no triangles at all, they are all that is left.
+void leave_out_loose_segments(const Report& report, Session& session, TriangleMesh& mesh) {
+  const bool is_hull = report.triangles == report.hull_triangles;  // each edge has a triangle
+  if (is_hull || mesh.triangles.empty() || session.options().output.empty()) return;
+  const DirectedEdges edges(mesh.triangles);
+  const std::size_t dropped =
+      std::erase_if(mesh.segments, [&](const Segment& s) { return !edges.has_edge(s.a, s.b); });
+  if (dropped > 0)
+    session.note(concat({dropped, " segments lie outside the domain and are not written"}));
+}
+
 Status write_result(Session& session, const Geometry& geometry) {
   const CommonOptions& options = session.options();
   if (options.output.empty()) return Ok{};
@@ -223,6 +238,15 @@ void leave_points_alone(const std::string& name, Session& session, Geometry& geo
   geometry.polygons.clear();
 }
 
+// Triangles and tetrahedra of the input, and what belongs to them, give way to new ones.
+void leave_cells_alone(const std::string& name, Session& session, Geometry& geometry) {
+  if (geometry.cell_attributes.columns > 0)
+    session.note(concat({name, ": attributes of its elements are left out: there will be others"}));
+  geometry.cell_attributes = {};
+  geometry.mesh.triangles.clear();
+  geometry.solid.tets.clear();
+}
+
 Result<int> run_triangulate(Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands()[0];
   Report report;
@@ -233,12 +257,14 @@ Result<int> run_triangulate(Arguments& arguments, Session& session) {
   report.points = geometry->point_count();
 
   if (geometry->dimension == 3) leave_points_alone(display_name(path), session, *geometry);
+  leave_cells_alone(display_name(path), session, *geometry);
   const Choices choices = read_choices(arguments, *geometry, session.options().threads);
   if (Status status = arguments.status(); !status) return status.error();
   if (Status status = triangulate_any(choices, session.progress(), *geometry, report); !status)
     return in_file(status.error(), path);
 
   const Stopwatch writing;
+  leave_out_loose_segments(report, session, geometry->mesh);
   if (Status status = write_result(session, *geometry); !status) return status.error();
   report.write = writing.elapsed();
   if (Status status = session.write_json(to_json(report)); !status) return status.error();

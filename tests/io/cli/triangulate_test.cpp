@@ -50,6 +50,33 @@ class Answer {
   JsonValue tree_;
 };
 
+// Two triangles, marked 7 and 9, and a point in one of them.
+constexpr const char* kMarkedMesh =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+    "5 .3 .4 0\n$EndNodes\n$Elements\n2\n1 2 2 7 7 1 2 3\n2 2 2 9 9 1 3 4\n$EndElements\n";
+
+// They were written beside the new triangles, and beyond their end whatever memory held.
+TEST(Triangulate, LeavesOutTheAttributesOfTrianglesThatAreGone) {
+  const TemporaryDirectory directory;
+  const auto run = run_program({"triangulate", "-", "-o", directory / "t"}, kMarkedMesh);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("attributes of its elements are left out"), std::string::npos);
+  EXPECT_EQ(read_bytes(directory / "t.ele").substr(0, 6), "4 3 0\n");
+}
+
+// The result is a mesh, which other commands read.
+TEST(Triangulate, WritesNoSegmentsOutsideTheDomain) {
+  const TemporaryDirectory directory;
+  const std::string tail =
+      "6 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 6 0\n6 8 3\n"
+      "6 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n5 2 5 2\n6 5 6 2\n0\n";
+  const auto run = run_program({"triangulate", "-", "-o", directory / "t"}, tail);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("2 segments lie outside the domain"), std::string::npos) << run.err;
+  EXPECT_EQ(run_program({"coarsen", directory / "t"}).exit_code, 0);
+  EXPECT_EQ(run_program({"audit", directory / "t"}).exit_code, 0);
+}
+
 TEST(Triangulate, PrintsTheKeysOfItsContract) {
   const Answer json({"-", "--cells-hash"}, kSquare);
   for (const char* key : {"points", "distinct_points", "dimension", "triangles", "tets",
