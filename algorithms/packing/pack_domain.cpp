@@ -12,6 +12,7 @@
 #include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/elementary.hpp"
+#include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
@@ -101,6 +102,13 @@ void describe_repetitions(const Pslg& domain, const PlanarTriangulation& graph,
   const auto first_repeated = std::unique(ends.begin(), ends.end());
   const auto repeated = static_cast<std::size_t>(ends.end() - first_repeated);
   if (repeated > 0) notes.push_back(concat({counted(repeated, "segment"), " repeat others"}));
+}
+
+Error no_room_beside(const Segment& s) {
+  return {ErrorCode::kInvalidGeometry,
+          {"the local feature size vanishes between points ", s.a, " and ", s.b,
+           ": features of the domain are closer there than doubles can tell apart"},
+          {s.a, s.b}};
 }
 
 // ---- Boundary ------------------------------------------------------------------------------
@@ -203,7 +211,8 @@ Status BoundaryPacking::pack(const BallRadius& radius, ProgressMeter& meter) {
         options_.max_points - std::min(options_.max_points, boundary_.points.size());
     auto points = pack_segment(part_of(s), asking, room);
     if (meter.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
-    if (!points && points.error().code != ErrorCode::kLimit) return points.error();
+    if (!points && points.error().code != ErrorCode::kLimit)
+      return options_.size ? points.error() : no_room_beside(boundary_.segments[s]);
     if (!points || points->size() > room) points = std::vector<Point2>(), is_complete_ = false;
     const Segment& segment = boundary_.segments[s];
     Index last = shell_[s][0] != kNoIndex ? shell_[s][0] : segment.a;
@@ -330,6 +339,12 @@ void scale_points(std::vector<Point2>& points, double scale) {
   for (Point2& p : points) p = {scale * p.x, scale * p.y};
 }
 
+bool is_counterclockwise(const TriangleMesh& mesh) {
+  return all_of(mesh.triangles, [&](const auto& t) {
+    return orient2d(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]) > 0;
+  });
+}
+
 Pslg scaled_domain(Pslg domain, double scale) {
   scale_points(domain.points, scale);
   scale_points(domain.holes, scale);
@@ -405,6 +420,11 @@ Result<PackedMesh> pack_domain(const Pslg& domain, const PackingOptions& options
   if (!packed) return packed.error();
   scale_points(packed->mesh.points, 1 / scale);
   for (double& radius : packed->radius) radius /= scale;
+  if (!is_counterclockwise(packed->mesh))
+    return Error{ErrorCode::kInvalidGeometry,
+                 "the domain is too small: its triangles are flat once their corners are rounded "
+                 "to subnormal doubles; scale it up",
+                 {}};
   return packed;
 }
 

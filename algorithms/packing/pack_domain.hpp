@@ -77,7 +77,8 @@ struct PackedMesh {
 /// Errors: kUsage for an option out of its range, or a size that is not positive; kInvalidGeometry
 ///   for a domain without area (ids: points), segments that enclose nothing (ids: their loose
 ///   ends), that cross (ids: pairs of segments), or meet at less than 60 degrees (ids: the apices,
-///   unless sharp_corners is kMesh); those of triangulate; kLimit where the boundary alone needs
+///   unless sharp_corners is kMesh), with features closer together than doubles can tell (ids: the
+///   ends of the segment there), or so small that triangles would be flat; those of triangulate; kLimit where the boundary alone needs
 ///   more than max_points; kCancelled before the interior is packed.
 /// Cost: O(n log n) expected for n nodes and domain features.
 /// Audit: embedding, constrained Delaunay, conformity, angles.

@@ -16,6 +16,7 @@
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 #include "wellspaced/kernel/plane/circumcircle.hpp"
+#include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced {
 namespace {
@@ -330,6 +331,42 @@ TEST(PackDomain, ReportsWhatIsNoDomainOnce) {
   expect_refused(none, "no area", {});
   const Point2 end = circle_point(5.0 / 360);
   expect_refused(polygons({{{0, 0}, {3, 0}, {3, 1}, end}}), "5.00", {0});
+}
+
+// Fuzz: neighbouring doubles as a polygon; the error blamed the options.
+TEST(PackDomain, RefusesFeaturesThatDoublesCannotTellApart) {
+  constexpr double kStep = 0x1p-52;
+  Pslg domain = polygons({{{1, 1 + kStep},
+                           {1 - kStep / 2, 1},
+                           {1 + 2 * kStep, 1 - kStep},
+                           {1 - kStep / 2, 1 - kStep / 2},
+                           {1 - kStep, 1 + kStep}}});
+  PackingOptions options;
+  options.sharp_corners = SharpCorners::kMesh;
+  options.crossings = CrossingRule::kSplit;
+  const auto result = pack_domain(domain, options);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::kInvalidGeometry) << result.error().message;
+  EXPECT_EQ(result.error().ids.size(), 2u);
+}
+
+// Fuzz: nodes were rounded onto each other on the way back from a larger scale.
+TEST(PackDomain, MeshesSubnormalDomainsOrRefusesThem) {
+  constexpr double kLeast = 0x1p-1074;
+  PackingOptions options;
+  options.beta = 6;
+  for (const double unit : {kLeast, 2 * kLeast, 3 * kLeast, 0x1p-1050, 0x1p-1022}) {
+    const Pslg domain = polygons({rectangle({0, 0}, {3 * unit, 2 * unit})});
+    const auto result = pack_domain(domain, options);
+    if (unit >= 0x1p-1050) ASSERT_TRUE(result.ok()) << unit;
+    if (!result.ok()) {
+      EXPECT_EQ(result.error().code, ErrorCode::kInvalidGeometry);
+      continue;
+    }
+    for (const auto& [a, b, c] : result->mesh.triangles)
+      EXPECT_GT(orient2d(result->mesh.points[a], result->mesh.points[b], result->mesh.points[c]), 0)
+          << unit;
+  }
 }
 
 TEST(PackDomain, TakesNestedDuplicatesOnceAndSaysSo) {
