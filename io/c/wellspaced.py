@@ -36,7 +36,7 @@ class Mesh:
         self.cells = np.ascontiguousarray(cells, dtype=np.uint32)
         self.segments = _rows(segments, 2, np.uint32)
         markers = np.zeros(len(self.segments)) if segment_markers is None else segment_markers
-        self.segment_markers = np.ascontiguousarray(markers, dtype=np.int32)
+        self.segment_markers = _markers(markers, len(self.segments))
         self.origin = origin
 
 
@@ -46,6 +46,13 @@ def _rows(values, columns, dtype):
     if rows.ndim != 2 or rows.shape[1] != columns:
         raise ValueError(f"an array of shape (n, {columns}) is needed, not {rows.shape}")
     return rows
+
+
+def _markers(values, count):
+    markers = np.ascontiguousarray(values, dtype=np.int32)
+    if markers.shape != (count,):
+        raise ValueError(f"{count} segments have one marker each, not {markers.shape}")
+    return markers
 
 
 def _pointer(array, kind):
@@ -180,7 +187,7 @@ class _Context:
     def call(self, function, *arguments):
         status = function(self.handle, *arguments)
         if status != 0:
-            raise Error(status, self._library._message(self.handle).decode())
+            raise Error(status, self._library._message(self.handle).decode(errors="replace"))
 
     def set_mesh(self, mesh):
         if mesh.points.ndim == 2 and mesh.points.shape[1] == 3:
@@ -189,9 +196,11 @@ class _Context:
                       _pointer(cells, c_uint32), len(cells))
             return
         points, cells = _rows(mesh.points, 2, np.float64), _rows(mesh.cells, 3, np.uint32)
+        segments = _rows(mesh.segments, 2, np.uint32)
+        markers = _markers(mesh.segment_markers, len(segments))
         self.call(self._library._set_mesh, _pointer(points, c_double), len(points),
-                  _pointer(cells, c_uint32), len(cells), _pointer(mesh.segments, c_uint32),
-                  _pointer(mesh.segment_markers, c_int), len(mesh.segments))
+                  _pointer(cells, c_uint32), len(cells), _pointer(segments, c_uint32),
+                  _pointer(markers, c_int), len(segments))
 
     def mesh(self):
         dimension = self._library._dimension(self.handle)

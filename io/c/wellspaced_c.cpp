@@ -13,6 +13,7 @@
 #include "wellspaced/io/c/wellspaced.h"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/report/audit_report.hpp"
+#include "wellspaced/io/text/scanner.hpp"
 #include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/memory.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
@@ -64,7 +65,7 @@ wellspaced_status run_on(wellspaced_context* context, const Operation& operation
   context->message.clear();
   const Status status = within_memory([&]() -> Status {
     Status result = operation();
-    if (!result) context->message = result.error().message;
+    if (!result) context->message = printable(result.error().message);
     return result;
   });
   if (status.ok()) return WELLSPACED_OK;

@@ -192,11 +192,4 @@ double wall_seconds() {
   return now.count();
 }
 
-std::string printable(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  return result;
-}
-
 }  // namespace wellspaced::cli

@@ -54,7 +54,4 @@ double wall_seconds();
 /// resident is in use.
 void release_free_memory();
 
-/// `text` with control characters replaced by '?': one line, whatever a file name holds.
-std::string printable(std::string_view text);
-
 }  // namespace wellspaced::cli

@@ -56,6 +56,13 @@ std::string in_quotes(std::string_view token) {
   return concat({result, token.size() > kLongest ? "...'" : "'"});
 }
 
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  return result;
+}
+
 Scanner::Scanner(std::string_view text, const TextSource& source, ScanRules rules)
     : source_(source), rules_(rules), size_(text.size()), rest_(text) {
   if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark)

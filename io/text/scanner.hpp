@@ -107,4 +107,7 @@ class Scanner {
 /// `token` for a message: quoted, cut after 24 bytes, unprintable bytes in hexadecimal.
 std::string in_quotes(std::string_view token);
 
+/// `text` with control characters replaced by '?': one line, whatever a file name holds.
+std::string printable(std::string_view text);
+
 }  // namespace wellspaced

@@ -97,6 +97,30 @@ class Test(unittest.TestCase):
         with self.assertRaises(ValueError):
             lib.triangulate([1.0, 2.0])
 
+    def test_arrays_that_do_not_fit_together_are_refused(self):
+        square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+        with self.assertRaisesRegex(ValueError, "one marker each"):
+            lib.triangulate(square, segments=[[0, 1], [1, 2]], segment_markers=[7])
+        mesh = lib.triangulate(square)
+        mesh.segments = [[0, 1], [1, 2]]  # beside the markers that it had
+        with self.assertRaisesRegex(ValueError, "one marker each"):
+            lib.audit(mesh)
+
+    def test_segments_set_later_are_taken_as_they_are(self):
+        mesh = lib.triangulate([[0, 0], [1, 0], [1, 1], [0, 1]])
+        mesh.segments = np.array([[0, 1], [1, 2]], dtype=np.int64)
+        mesh.segment_markers = [3, 4]
+        path = os.path.join(folder, "python_segments.msh")
+        lib.write(mesh, path)
+        back = lib.read(path)
+        marked = {tuple(sorted(s)): m for s, m in zip(back.segments.tolist(), back.segment_markers)}
+        self.assertEqual((marked[0, 1], marked[1, 2]), (3, 4))
+
+    def test_messages_are_one_line_whatever_the_path(self):
+        with self.assertRaises(wellspaced.Error) as caught:
+            lib.read(os.fsdecode(b"/no\nfile\xff.msh"))
+        self.assertNotIn("\n", str(caught.exception))
+
     def test_threads_do_not_disturb_each_other(self):
         results = [None] * 4
         def work(i):
