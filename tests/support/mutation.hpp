@@ -1,5 +1,5 @@
 // Plants faults in clean inputs of an auditor: each must be found by exactly the checks that should
-// find it. Prints a table: planted, found, false alarms.
+// find it. Prints a table, headed by the name of the test suite: planted, found, false alarms.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -52,7 +52,8 @@ class MutationTest {
   // optional: checks that a clean input may fail.
   MutationTest(Audit audit, Names optional)
       : audit_(std::move(audit)), optional_(std::move(optional)) {
-    std::printf("%-55s %8s %8s %12s\n", "fault", "planted", "found", "false alarms");
+    const char* suite = ::testing::UnitTest::GetInstance()->current_test_suite()->name();
+    std::printf("%-55s %8s %8s %12s\n", suite, "planted", "found", "false alarms");
   }
 
   // Each fault will be planted so many times in this input.

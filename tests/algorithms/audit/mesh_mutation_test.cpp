@@ -421,7 +421,7 @@ std::vector<Fault> delaunay_faults() {
   };
 }
 
-TEST(Mutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
+TEST(MeshMutation, EveryPlantedFaultIsFoundByExactlyTheChecksThatShould) {
   // What a sound constrained Delaunay mesh may lack.
   test::MutationTest<TriangleMesh> table(
       [](const TriangleMesh& mesh) { return audit::audit_mesh(mesh); },
