@@ -202,6 +202,38 @@ Level finest_level(TriangleMesh mesh, const Graph& graph, const CoarseningOption
   return level;
 }
 
+Result<Hierarchy> make_hierarchy(TriangleMesh mesh, const CoarseningOptions& options) {
+  bool stopped = false;
+  const Progress prepare = [&, nodes = mesh.points.size()](auto, auto, auto) {
+    stopped = stopped || !report(options.progress, "prepare", 0, nodes);
+    return !stopped;
+  };
+  const auto go_on = [&]() -> Status {
+    if (report(prepare, "prepare", 0, 0)) return Ok{};
+    return Error{ErrorCode::kCancelled, "coarsening was cancelled", {}};
+  };
+  if (const Status status = go_on(); !status) return status.error();
+  Skeleton skeleton = uses_graph(options) ? skeleton_of(mesh) : skeleton_without_graph(mesh);
+  if (const Status status = go_on(); !status) return status.error();
+  mesh.fixed = special_points(mesh, skeleton, options);
+  complete_segments(mesh, skeleton.boundary);
+  if (const Status status = go_on(); !status) return status.error();
+  if (options.method == CoarseningMethod::kQuadtree) {
+    Level finest = finest_level(std::move(mesh), skeleton.graph, options, prepare);
+    Boundary boundary = std::move(skeleton.boundary);
+    skeleton = {};  // large, and of no more use
+    return coarsen_by_quadtree(std::move(finest), std::move(boundary), options);
+  }
+  const auto limit = spacing_limit(mesh, options, prepare);
+  if (!limit) return limit.error();
+  if (const Status status = go_on(); !status) return status.error();
+  Level finest = finest_level(std::move(mesh), skeleton.graph, options, prepare);
+  if (const Status status = go_on(); !status) return status.error();
+  if (options.method == CoarseningMethod::kRefinement)
+    return coarsen_by_refinement(std::move(finest), skeleton, options);
+  return build_levels(std::move(finest), std::move(skeleton), *limit, options);
+}
+
 }  // namespace
 
 CoarseningOptions multigrid_profile() {
@@ -242,35 +274,11 @@ Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
   if (const Status status = check_options(options, mesh.points.size()); !status)
     return status.error();
 
-  bool stopped = false;
-  const Progress prepare = [&, nodes = mesh.points.size()](auto, auto, auto) {
-    stopped = stopped || !report(options.progress, "prepare", 0, nodes);
-    return !stopped;
-  };
-  const auto go_on = [&]() -> Status {
-    if (report(prepare, "prepare", 0, 0)) return Ok{};
-    return Error{ErrorCode::kCancelled, "coarsening was cancelled", {}};
-  };
-  if (const Status status = go_on(); !status) return status.error();
-  Skeleton skeleton = uses_graph(options) ? skeleton_of(mesh) : skeleton_without_graph(mesh);
-  if (const Status status = go_on(); !status) return status.error();
-  mesh.fixed = special_points(mesh, skeleton, options);
-  complete_segments(mesh, skeleton.boundary);
-  if (const Status status = go_on(); !status) return status.error();
-  if (options.method == CoarseningMethod::kQuadtree) {
-    Level finest = finest_level(std::move(mesh), skeleton.graph, options, prepare);
-    Boundary boundary = std::move(skeleton.boundary);
-    skeleton = {};  // large, and of no more use
-    return coarsen_by_quadtree(std::move(finest), std::move(boundary), options);
-  }
-  const auto limit = spacing_limit(mesh, options, prepare);
-  if (!limit) return limit.error();
-  if (const Status status = go_on(); !status) return status.error();
-  Level finest = finest_level(std::move(mesh), skeleton.graph, options, prepare);
-  if (const Status status = go_on(); !status) return status.error();
-  if (options.method == CoarseningMethod::kRefinement)
-    return coarsen_by_refinement(std::move(finest), skeleton, options);
-  return build_levels(std::move(finest), std::move(skeleton), *limit, options);
+  const std::size_t nodes = mesh.points.size();
+  auto hierarchy = make_hierarchy(std::move(mesh), options);
+  if (hierarchy && hierarchy->complete)
+    hierarchy->complete = report(options.progress, "finish", nodes, nodes);
+  return hierarchy;
 }
 
 }  // namespace wellspaced

@@ -91,8 +91,8 @@ struct CoarseningOptions {
   double angle_deg = 22;
   bool count_work = false;  ///< fill Level::work
   /// Phase "prepare", then "spacing", "boundary", "select", "triangulate" of each level, in order,
-  /// each at its start and some more often; done: nodes of the input that are coarsened away,
-  /// total: all.
+  /// each at its start and some more often, at last "finish"; done: nodes of the input that are
+  /// coarsened away (coarse to fine: nodes of the finest level so far), at last all; total: all.
   Progress progress = {};
 };
 

@@ -236,14 +236,14 @@ void append_levels(std::vector<Level> levels, std::size_t until_nodes, Hierarchy
 Result<Hierarchy> coarsen_by_quadtree(Level finest, Boundary boundary,
                                       const CoarseningOptions& options) {
   const std::size_t nodes = finest.mesh.points.size();
+  std::vector<Index> coarser;  // nodes of the level before, as candidates of the stage
   const TellPhase tell = [&](std::string_view phase) {
-    return report(options.progress, phase, 0, nodes);
+    return report(options.progress, phase, coarser.size(), nodes);
   };
   std::vector<QuadtreeStage> stages = make_stages(finest, boundary, options, tell);
   Hierarchy hierarchy;
   hierarchy.complete = !stages.empty();
   std::vector<Level> levels;
-  std::vector<Index> coarser;  // nodes of the level before, as candidates of the stage
   for (std::size_t i = stages.size(); i-- > 1;) {
     std::vector<Index> forced = stages[i].fixed;
     forced.insert(forced.end(), coarser.begin(), coarser.end());

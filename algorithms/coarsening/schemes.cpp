@@ -77,6 +77,7 @@ class SchemeRun {
   Skeleton skeleton_;
   Hierarchy hierarchy_;
   std::size_t steps_ = 0;
+  std::size_t done_ = 0;  // see CoarseningOptions::progress
   bool stopped_ = false;
 };
 
@@ -84,9 +85,8 @@ Result<CoarseningStep> SchemeRun::step(const SourceMesh& source, const StepReque
   StepRequest within = request;
   within.areas = areas_;
   const std::size_t total = nodes_of(hierarchy_.levels[0]);
-  const std::size_t done = total - nodes_of(hierarchy_.levels.back());
   auto built = coarsen_level(source, within, options_, [&](std::string_view phase) {
-    stopped_ = stopped_ || !report(options_.progress, phase, done, total);
+    stopped_ = stopped_ || !report(options_.progress, phase, done_, total);
     return !stopped_;
   });
   ++steps_;
@@ -139,6 +139,7 @@ Result<Hierarchy> SchemeRun::fine_to_coarse() {
       break;
     }
     if (nodes_of(built->level) == nodes_of(finer) || collapses(built->level)) break;
+    done_ = nodes_of(hierarchy_.levels[0]) - nodes_of(built->level);
     append(std::move(*built));
   }
   return std::move(hierarchy_);
@@ -164,6 +165,7 @@ Result<Hierarchy> SchemeRun::from_finest() {
       break;
     }
     built->level.parent = numbers_among(built->level.origin, before.origin);
+    done_ = nodes_of(source.level) - nodes_of(built->level);
     (is_first ? hierarchy_.levels[0] : coarser.levels.back()).work = built->work;
     coarser.levels.push_back(std::move(built->level));
   }
@@ -207,6 +209,7 @@ Result<Hierarchy> SchemeRun::coarse_to_fine() {
                            collapses(built.back().level));
     if (replaces) built.pop_back();
     built.push_back(std::move(*next));
+    done_ = nodes;
   }
   if (!built.empty() && collapses(built.back().level)) built.pop_back();
   stack(std::move(built));

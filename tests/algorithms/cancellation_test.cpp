@@ -1,6 +1,7 @@
 // Every long operation asks often enough, tells of progress that only grows, and stops when told.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <ctime>
 #include <functional>
 #include <map>
@@ -94,7 +95,7 @@ void audit_spacing_of(const Mesh& mesh, const Progress& progress) {
   audit::audit_spacing(mesh, options, report);
 }
 
-std::vector<Operation> operations() {
+std::vector<Operation> coarsenings() {
   return {
       coarsening("coarsen", {}),
       coarsening("coarsen_mis", theorem_options(CoarseningMethod::kMis)),
@@ -106,6 +107,12 @@ std::vector<Operation> operations() {
       coarsening("coarsen_geodesic", in_metric(SpacingMetric::kGeodesic)),
       coarsening("coarsen_from_finest", in_scheme(CoarseningScheme::kFromFinest)),
       coarsening("coarsen_coarse_to_fine", in_scheme(CoarseningScheme::kCoarseToFine)),
+  };
+}
+
+std::vector<Operation> operations() {
+  std::vector<Operation> all = coarsenings();
+  const std::vector<Operation> others = {
       {"statistics", [](const Progress& p) { (void)hierarchy_statistics(hierarchy(), p); }},
       {"prepare_for_solver", [](const Progress& p) { (void)prepare_for_solver(hierarchy(), p); }},
       {"check_selection",
@@ -136,6 +143,8 @@ std::vector<Operation> operations() {
       {"audit_spacing_space", [](const Progress& p) { audit_spacing_of(solid(), p); }},
       {"audit_hierarchy", audit_levels},
   };
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -191,6 +200,21 @@ TEST_P(Cancellation, ComesSoonAndIsNotAskedForTwice) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Cancellation, ::testing::Range(std::size_t{0}, operations().size()),
                          [](const auto& each) { return operations()[each.param].name; });
+
+TEST(CoarseningProgress, OnlyGrowsFromPhaseToPhaseAndEndsAtAll) {
+  for (const Operation& operation : coarsenings()) {
+    std::vector<std::uint64_t> told;
+    operation.run([&](auto, std::uint64_t done, std::uint64_t total) {
+      EXPECT_EQ(total, grid().points.size());
+      told.push_back(done);
+      return true;
+    });
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end())) << operation.name;
+    EXPECT_EQ(told.front(), 0u) << operation.name;
+    EXPECT_GT(told[told.size() - 2], 0u) << operation.name;
+    EXPECT_EQ(told.back(), grid().points.size()) << operation.name;
+  }
+}
 
 }  // namespace
 }  // namespace wellspaced

@@ -128,7 +128,7 @@ TEST(Coarsen, TellsThePhasesOfEachLevelInOrder) {
   ASSERT_TRUE(coarsen(small_grid(), options).ok());
   EXPECT_EQ(phases,
             (std::vector<std::string>{"prepare", "spacing", "boundary", "select", "triangulate",
-                                      "spacing", "boundary", "select", "triangulate"}));
+                                      "spacing", "boundary", "select", "triangulate", "finish"}));
 }
 
 TEST(Coarsen, MeasuresItsWorkOnRequest) {
