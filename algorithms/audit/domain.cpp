@@ -36,24 +36,31 @@ class NodesByPlace {
   std::vector<Index> nodes_;
 };
 
-// Follows the segments of the domain through the mesh.
+// Follows the segments of the domain through the mesh. meter: of points and steps.
 class ChainWalk {
  public:
-  ChainWalk(const TriangleMesh& mesh, const HalfEdges& half_edges, double units)
+  ChainWalk(const TriangleMesh& mesh, const HalfEdges& half_edges, double units,
+            ProgressMeter& meter)
       : mesh_(mesh),
         half_edges_(half_edges),
         by_place_(mesh.points),
         stars_(mesh.triangles, mesh.points.size()),
         on_domain_(half_edges.twin.size(), 0),
         off_line_(mesh.points.size(), 0),
-        units_(units) {}
+        units_(units),
+        meter_(meter) {}
 
-  bool has_node_at(Point2 p) const { return !by_place_.at(p).empty(); }
+  bool stopped() const { return meter_.stopped(); }
+
+  bool has_node_at(Point2 p) {
+    meter_.step();
+    return !by_place_.at(p).empty();
+  }
 
   // Whether mesh edges lead from a to b along the segment; marks them.
   bool follow(Point2 a, Point2 b) {
     Point2 at = a;
-    for (std::size_t steps = 0; at != b; ++steps) {
+    for (std::size_t steps = 0; at != b && meter_.step(); ++steps) {
       const Index next = next_node(a, b, at);
       if (next == kNoIndex || steps > mesh_.points.size()) return false;
       const Point2 to = mesh_.points[next];
@@ -102,17 +109,18 @@ class ChainWalk {
   Stars stars_;
   std::vector<std::uint8_t> on_domain_, off_line_;
   double units_;
+  ProgressMeter& meter_;
 };
 
-void audit_points(const Pslg& domain, const ChainWalk& walk, Report& report) {
+void audit_points(const Pslg& domain, ChainWalk& walk, Report& report) {
   Check& check = report.add_required_check("domain_points_are_nodes", Item::kDomainPoint);
-  for (Index i = 0; i < domain.points.size(); ++i)
+  for (Index i = 0; i < domain.points.size() && !walk.stopped(); ++i)
     if (!walk.has_node_at(domain.points[i])) check.violate({i});
 }
 
 void audit_segments(const TriangleMesh& mesh, const Pslg& domain, ChainWalk& walk, Report& report) {
   Check& check = report.add_required_check("domain_segments_are_edges", Item::kDomainSegment);
-  for (Index s = 0; s < domain.segments.size(); ++s) {
+  for (Index s = 0; s < domain.segments.size() && !walk.stopped(); ++s) {
     const Point2 a = domain.points[domain.segments[s].a], b = domain.points[domain.segments[s].b];
     if (!walk.follow(a, b)) check.violate({s});
   }
@@ -138,12 +146,14 @@ bool contains(const TriangleMesh& mesh, const std::array<Index, 3>& t, Point2 p)
 
 }  // namespace
 
-void audit_holes(const TriangleMesh& mesh, std::span<const Point2> holes, Report& report) {
+void audit_holes(const TriangleMesh& mesh, std::span<const Point2> holes, const Progress& progress,
+                 Report& report) {
   std::vector<Box<2>> boxes;
   for (const Point2 p : holes) boxes.push_back(box_of(p));
   const BoxTree<2> tree(boxes);
   Check& check = report.add_required_check("holes_are_open", Item::kTriangle);
-  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+  ProgressMeter meter(progress, "audit", mesh.triangles.size());
+  for (Index t = 0; t < mesh.triangles.size() && meter.step(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const Box<2> box = box_of(mesh.points[a], mesh.points[b], mesh.points[c]);
     bool filled = false;
@@ -179,12 +189,15 @@ bool has_convex_boundary(const TriangleMesh& mesh, const HalfEdges& half_edges) 
 void audit_domain(const TriangleMesh& mesh, const HalfEdges& half_edges, const DomainToMeet& given,
                   Report& report) {
   const Pslg& domain = given.domain;
-  ChainWalk walk(mesh, half_edges, given.allowance);
+  ProgressParts parts(given.progress, "audit", 2);
+  const Progress progress = parts.part(0);
+  ProgressMeter meter(progress, "audit", domain.points.size() + domain.segments.size());
+  ChainWalk walk(mesh, half_edges, given.allowance, meter);
   audit_points(domain, walk, report);
   audit_segments(mesh, domain, walk, report);
   const bool is_hull = domain.holes.empty() && has_convex_boundary(mesh, half_edges);
   if (!domain.segments.empty() && !is_hull) audit_boundary(mesh, half_edges, walk, report);
-  if (!domain.holes.empty()) audit_holes(mesh, domain.holes, report);
+  if (!domain.holes.empty()) audit_holes(mesh, domain.holes, parts.part(1), report);
 }
 
 }  // namespace wellspaced::audit

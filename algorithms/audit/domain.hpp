@@ -8,14 +8,17 @@
 #include "wellspaced/algorithms/audit/half_edges.hpp"
 #include "wellspaced/algorithms/audit/report.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced::audit {
 
 /// allowance: how far nodes may be from their segments, see below. 2 covers a place that is rounded
-/// once; a file with 15 decimal digits needs more.
+/// once; a file with 15 decimal digits needs more. progress: phase "audit"; told to stop, the
+/// report is unfinished.
 struct DomainToMeet {
   const Pslg& domain;
   double allowance = 2;
+  Progress progress = {};
 };
 
 /// Judges a mesh against the domain that it should be a mesh of. Checks:
@@ -38,8 +41,10 @@ struct DomainToMeet {
 void audit_domain(const TriangleMesh& mesh, const HalfEdges& half_edges, const DomainToMeet& domain,
                   Report& report);
 
-/// The check holes_are_open alone. Cost: O(n log h) for n triangles and h seeds.
-void audit_holes(const TriangleMesh& mesh, std::span<const Point2> holes, Report& report);
+/// The check holes_are_open alone. progress: as in DomainToMeet.
+/// Cost: O(n log h) for n triangles and h seeds.
+void audit_holes(const TriangleMesh& mesh, std::span<const Point2> holes, const Progress& progress,
+                 Report& report);
 
 /// Whether the mesh has one boundary loop, which turns left or goes straight on at every node. If
 /// no_overlap passes too, the mesh fills a convex polygon.

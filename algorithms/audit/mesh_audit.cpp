@@ -24,7 +24,7 @@ void require_boundary_segments(const TriangleMesh& mesh, const HalfEdges& half_e
 void audit_in_local_order(const TriangleMesh& mesh, const MeshAuditOptions& options,
                           Report& report) {
   const auto nodes = static_cast<Index>(mesh.points.size());
-  ProgressParts parts(options.progress, "audit", 7);
+  ProgressParts parts(options.progress, "audit", 8);
   const auto go_on = [&](std::uint64_t done) { return report.complete = parts.go_on(done); };
   if (!go_on(1)) return;
   const HalfEdges half_edges = pair_half_edges(mesh.triangles, mesh.segments, nodes);
@@ -37,11 +37,12 @@ void audit_in_local_order(const TriangleMesh& mesh, const MeshAuditOptions& opti
   audit_embedding(mesh, half_edges, orientation, report);
   if (!go_on(4)) return;
   if (options.domain != nullptr)
-    audit_domain(mesh, half_edges, {*options.domain, options.allowance}, report);
-  if (!options.holes.empty()) audit_holes(mesh, options.holes, report);
+    audit_domain(mesh, half_edges, {*options.domain, options.allowance, parts.part(4)}, report);
   if (!go_on(5)) return;
-  audit_delaunay(mesh, half_edges, orientation, report);
+  if (!options.holes.empty()) audit_holes(mesh, options.holes, parts.part(5), report);
   if (!go_on(6)) return;
+  audit_delaunay(mesh, half_edges, orientation, report);
+  if (!go_on(7)) return;
   audit_shape(mesh, half_edges, report);
 }
 

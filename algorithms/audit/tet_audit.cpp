@@ -26,11 +26,12 @@ void audit_in_local_order(const TetMesh& mesh, const TetAuditOptions& options, R
   audit_tet_embedding(mesh, faces, orientation, report);
   if (!go_on(4)) return;
   if (options.domain != nullptr)
-    audit_tet_domain(mesh, faces, {*options.domain, options.allowance}, report);
+    audit_tet_domain(mesh, faces, {*options.domain, options.allowance, parts.part(4)}, report);
   if (!go_on(5)) return;
   audit_tet_delaunay(mesh, faces, orientation, parts.part(5), report);
   if (!go_on(6)) return;
-  audit_tet_shape(mesh, report);
+  audit_tet_shape(mesh, parts.part(6), report);
+  report.complete = !parts.stopped();
 }
 
 // Turns local ids into given ones. Edges and faces stay in the order of their places.

@@ -304,6 +304,9 @@ class FacetCover {
 // A mesh that misses more facets than this fails whatever the reason.
 constexpr std::size_t kMissingJudged = 1000;
 
+// Segments and facets, each of which may have many edges and faces.
+constexpr std::uint64_t kItemsAQuestion = 256;
+
 class DomainAudit {
  public:
   DomainAudit(const TetMesh& mesh, const TetFaces& faces, const SolidToMeet& given)
@@ -313,22 +316,25 @@ class DomainAudit {
         index_(mesh),
         on_domain_(faces.twin.size(), 0),
         least_allowance_(given.allowance),
-        allowance_(given.allowance) {}
+        allowance_(given.allowance),
+        parts_(given.progress, "audit", 4) {}
 
   void run(Report& report) {
     audit_points(report);
     audit_segments(report);
     audit_facets(report);
-    if (!domain_.facets.empty()) audit_boundary(report);
+    if (!domain_.facets.empty() && !parts_.stopped()) audit_boundary(report);
     if (!domain_.holes.empty()) audit_holes(report);
     report.add_measure("facet_allowance", allowance_);
   }
 
  private:
-  void audit_points(Report& report) const {
+  void audit_points(Report& report) {
     Check& check = report.add_required_check("domain_points_are_nodes", Item::kDomainPoint);
     const std::vector<Index>& inner = domain_.inner_points;
-    for (Index i = 0; i < domain_.points.size(); ++i)
+    const Progress progress = parts_.part(0);
+    ProgressMeter meter(progress, "audit", domain_.points.size());
+    for (Index i = 0; i < domain_.points.size() && meter.step(); ++i)
       if (index_.node_at(domain_.points[i]) == kNoIndex &&
           !std::binary_search(inner.begin(), inner.end(), i))
         check.violate({i});
@@ -336,15 +342,20 @@ class DomainAudit {
 
   void audit_segments(Report& report) {
     Check& check = report.add_required_check("domain_segments_are_edges", Item::kDomainSegment);
+    const Progress progress = parts_.part(1);
+    ProgressMeter meter(progress, "audit", domain_.segments.size() + domain_.facets.size(),
+                        kItemsAQuestion);
     Index number = 0;
     const auto judge = [&](Index a, Index b) {
       if (find_chain(a, b).empty() && domain_.points[a] != domain_.points[b])
         check.violate({number});
       ++number;
     };
-    for (const Segment& s : domain_.segments) judge(s.a, s.b);
+    for (const Segment& s : domain_.segments)
+      if (meter.step()) judge(s.a, s.b);
     for (const FacetPolygons& facet : domain_.facets)
-      for (const auto& polygon : facet) for_each_edge(polygon, judge);
+      for (const auto& polygon : facet)
+        if (meter.step()) for_each_edge(polygon, judge);
   }
 
   // A polygon of two points is one edge, there and back.
@@ -364,10 +375,12 @@ class DomainAudit {
 
   void audit_facets(Report& report) {
     Check& check = report.add_required_check("domain_facets_are_faces", Item::kFacet);
+    const Progress progress = parts_.part(2);
+    ProgressMeter meter(progress, "audit", domain_.facets.size(), kItemsAQuestion);
     std::vector<Index> missing;
-    for (Index i = 0; i < domain_.facets.size(); ++i)
+    for (Index i = 0; i < domain_.facets.size() && meter.step(); ++i)
       if (!is_union_of_faces(domain_.facets[i])) missing.push_back(i);
-    if (missing.empty()) return;
+    if (missing.empty() || parts_.stopped()) return;
     const OpenFacets open(domain_);
     for (std::size_t k = 0; k < missing.size(); ++k)
       if (k >= kMissingJudged || !open.is_open(missing[k])) check.violate({missing[k]});
@@ -418,12 +431,14 @@ class DomainAudit {
     return least >= 0 || most <= 0;
   }
 
-  void audit_holes(Report& report) const {
+  void audit_holes(Report& report) {
     std::vector<Box<3>> boxes;
     for (const Point3& p : domain_.holes) boxes.push_back(box_of(p));
     const BoxTree<3> tree(boxes);
     Check& check = report.add_required_check("holes_are_open", Item::kTet);
-    for (Index t = 0; t < mesh_.tets.size(); ++t) {
+    const Progress progress = parts_.part(3);
+    ProgressMeter meter(progress, "audit", mesh_.tets.size());
+    for (Index t = 0; t < mesh_.tets.size() && meter.step(); ++t) {
       const auto& [a, b, c, d] = mesh_.tets[t];
       const Box<3> box = box_of(mesh_.points[a], mesh_.points[b], mesh_.points[c], mesh_.points[d]);
       bool filled = false;
@@ -443,6 +458,7 @@ class DomainAudit {
   std::map<NodePair, std::vector<NodePair>> chains_;
   std::vector<std::uint8_t> on_domain_;
   double least_allowance_, allowance_;
+  ProgressParts parts_;
 };
 
 }  // namespace

@@ -5,13 +5,16 @@
 #include "wellspaced/algorithms/audit/report.hpp"
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced::audit {
 
-/// allowance: how far nodes may be from their segments and facets, see below.
+/// allowance: how far nodes may be from their segments and facets, see below. progress: phase
+/// "audit"; told to stop, the report is unfinished.
 struct SolidToMeet {
   const PolyhedralDomain& domain;
   double allowance = 2;
+  Progress progress = {};
 };
 
 /// Judges a mesh against the domain that it should be a mesh of. Checks, all required:

@@ -170,8 +170,10 @@ TetClass class_of(const TetFigures& f) {
 
 class TetShapes {
  public:
-  explicit TetShapes(const TetMesh& mesh) : mesh_(mesh), scale_(scale_of(mesh.points)) {
-    for (Index t = 0; t < mesh.tets.size(); ++t) add(t);
+  TetShapes(const TetMesh& mesh, const Progress& progress)
+      : mesh_(mesh), scale_(scale_of(mesh.points)) {
+    ProgressMeter meter(progress, "audit", mesh.tets.size());
+    for (Index t = 0; t < mesh.tets.size() && meter.step(); ++t) add(t);
   }
 
   void report_to(Report& report) const {
@@ -277,6 +279,8 @@ TetClass classify_tet(const TetCorners& tet) {
   return class_of(TetFigures(scaled(tet, scale_of(tet))));
 }
 
-void audit_tet_shape(const TetMesh& mesh, Report& report) { TetShapes(mesh).report_to(report); }
+void audit_tet_shape(const TetMesh& mesh, const Progress& progress, Report& report) {
+  TetShapes(mesh, progress).report_to(report);
+}
 
 }  // namespace wellspaced::audit

@@ -7,6 +7,7 @@
 
 #include "wellspaced/algorithms/audit/report.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced::audit {
 
@@ -52,7 +53,8 @@ TetClass classify_tet(const std::array<Point3, 4>& tet);
 ///   slivers: how many there are of each class; shortest_edge, longest_edge, gradation, volume.
 /// Histograms: dihedral (all six of each tet, degrees), aspect_ratio.
 /// Worst lists: the ten worst tets by min_dihedral, max_dihedral, aspect_ratio and radius_edge.
+/// progress: phase "audit".
 /// Requires: audit_tet_syntax passed. Cost: linear.
-void audit_tet_shape(const TetMesh& mesh, Report& report);
+void audit_tet_shape(const TetMesh& mesh, const Progress& progress, Report& report);
 
 }  // namespace wellspaced::audit

@@ -19,16 +19,16 @@ using Triangle = std::array<Index, 3>;
 class Preparer {
  public:
   Preparer(TriangleMesh& mesh, Index base, const Progress& progress)
-      : mesh_(mesh), base_(base), progress_(progress) {}
+      : mesh_(mesh), base_(base), parts_(progress, "check", 4) {}
 
   Result<MeshPreparation> run();
 
  private:
-  Status go_on(std::uint64_t parts) const;
+  Status go_on(std::uint64_t parts);
   Status check_indices() const;
   Status orient();
   Status check_edges(const DirectedEdges& edges) const;
-  Status check_segments(const DirectedEdges& edges) const;
+  Status check_segments(const DirectedEdges& edges);
   void drop_repeated_segments();
   void recover_boundary(std::span<const DirectedEdges::Edge> boundary);
   Status check_coincidences(std::span<const DirectedEdges::Edge> boundary);
@@ -49,13 +49,13 @@ class Preparer {
 
   TriangleMesh& mesh_;
   Index base_;
-  const Progress& progress_;
+  ProgressParts parts_;
   MeshPreparation found_;
 };
 
 // Tells how many of the parts of run() are done.
-Status Preparer::go_on(std::uint64_t parts) const {
-  if (report(progress_, "check", parts, 4)) return Ok{};
+Status Preparer::go_on(std::uint64_t parts) {
+  if (parts_.go_on(parts)) return Ok{};
   return Error{ErrorCode::kCancelled, "the check of the mesh was cancelled", {}};
 }
 
@@ -102,8 +102,11 @@ Status Preparer::check_edges(const DirectedEdges& edges) const {
                  {t, other});
 }
 
-Status Preparer::check_segments(const DirectedEdges& edges) const {
+Status Preparer::check_segments(const DirectedEdges& edges) {
+  const Progress progress = parts_.part(2);
+  ProgressMeter meter(progress, "check", mesh_.segments.size());
   for (Index s = 0; s < mesh_.segments.size(); ++s) {
+    if (!meter.step()) return go_on(2);
     const auto [a, b, marker] = mesh_.segments[s];
     if (!edges.has_edge(a, b))
       return invalid(concat({"segment ", number(s), " (", name(a, b),

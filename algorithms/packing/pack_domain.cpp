@@ -307,9 +307,10 @@ PackedMesh finish(PackedInterior interior, const Pslg& domain, std::size_t domai
 }
 
 // The distance of each point's nearest neighbour, which its shortest Delaunay edge leads to.
-std::vector<double> shortest_delaunay_edges(const std::vector<Point2>& points) {
-  const auto delaunay = Delaunay2::build(points);
-  if (!delaunay || delaunay->dimension() < 2) return nearest_neighbor_spacing(points);
+std::vector<double> shortest_delaunay_edges(const std::vector<Point2>& points,
+                                            const Progress& progress) {
+  const auto delaunay = Delaunay2::build(points, {.progress = progress});
+  if (!delaunay || delaunay->dimension() < 2) return nearest_neighbor_spacing(points, progress);
   const Triangulation2& topology = delaunay->topology();
   std::vector<double> shortest(points.size(), std::numeric_limits<double>::infinity());
   for (Index t = 0; t < topology.size(); ++t)
@@ -428,12 +429,15 @@ Result<PackedMesh> pack_domain(const Pslg& domain, const PackingOptions& options
   return packed;
 }
 
-std::vector<double> packed_spacing(const PackedMesh& packed, double beta) {
+std::vector<double> packed_spacing(const PackedMesh& packed, double beta,
+                                   const Progress& progress) {
   const std::vector<Point2>& points = packed.mesh.points;
-  std::vector<double> spacing = shortest_delaunay_edges(points);
+  ProgressParts parts(progress, "spacing", 2);
+  std::vector<double> spacing = shortest_delaunay_edges(points, parts.part(0));
+  if (parts.stopped()) return spacing;
   for (std::size_t v = 0; v < points.size(); ++v)
     spacing[v] = beta * std::min(packed.radius[v], spacing[v] / 2);
-  return euclidean_coarsened_spacing(points, spacing, 1);
+  return euclidean_coarsened_spacing(points, spacing, 1, parts.part(1));
 }
 
 }  // namespace wellspaced

@@ -89,8 +89,10 @@ Result<PackedMesh> pack_domain(const Pslg& domain, const PackingOptions& options
 /// which the nodes are beta-spaced: beta times the ball's radius, or half of beta times the
 /// distance of the nearest node where a triangle was cut or thin walls hide one, then lowered to be
 /// 1-Lipschitz.
+/// progress: phase "spacing".
 /// Cost: O(n log n).
 /// Audit: beta-spacing, gaps.
-std::vector<double> packed_spacing(const PackedMesh& packed, double beta);
+std::vector<double> packed_spacing(const PackedMesh& packed, double beta,
+                                   const Progress& progress = {});
 
 }  // namespace wellspaced

@@ -106,8 +106,11 @@ Status write_mesh_files(const PackedMesh& packed, const Geometry& input, double 
                         const Arguments& arguments, Session& session) {
   const CommonOptions& common = session.options();
   if (const auto path = spacing_file(arguments, common)) {
-    const Status written =
-        write_spacing(session.outputs(), *path, packed_spacing(packed, beta), {false, beta});
+    const Progress progress = session.writing();
+    ProgressParts parts(progress, "write", 1);
+    const std::vector<double> spacing = packed_spacing(packed, beta, parts.part(0));
+    if (parts.stopped()) return Error{ErrorCode::kCancelled, "cancelled"};
+    const Status written = write_spacing(session.outputs(), *path, spacing, {false, beta});
     if (!written) return written.error();
   }
   if (common.output.empty()) return Ok{};

@@ -57,9 +57,7 @@ CommonOptions read_common_options(Arguments& arguments) {
 }
 
 Session::Session(CommonOptions options)
-    : options_(std::move(options)),
-      outputs_([this](auto, std::uint64_t done, auto) { return keep_writing(done); }),
-      start_(Clock::now()) {
+    : options_(std::move(options)), outputs_(writing()), start_(Clock::now()) {
   draws_ = !options_.quiet && standard_error_is_terminal();
   if (options_.max_memory) limit_memory(hard_limit(*options_.max_memory));
   say_what_stays("nothing was written");
@@ -91,6 +89,11 @@ Progress Session::progress() {
   return [this](std::string_view phase, std::uint64_t done, std::uint64_t total) {
     return keep_going(phase, done, total);
   };
+}
+
+Progress Session::writing() {
+  time_to_write_ = memory_to_write_ = 0;
+  return [this](auto, std::uint64_t done, auto) { return keep_writing(done); };
 }
 
 bool Session::keep_going(std::string_view phase, std::uint64_t done, std::uint64_t total) {

@@ -55,6 +55,8 @@ class Session {
 
   /// To pass to the library: draws the bar, and stops at Ctrl-C and at the limits.
   Progress progress();
+  /// The same for what is made to be written: once a limit was hit, there is time for that.
+  Progress writing();
   /// Why progress() last said stop, if it did.
   std::optional<StopReason> stopped() const { return stopped_; }
 

@@ -42,6 +42,7 @@ TextWriter& TextWriter::operator<<(double value) {
 }
 
 TextWriter& TextWriter::append_integer(std::int64_t value) {
+  if (failed()) return *this;
   std::array<char, 32> space{};
   return *this << to_text(value, space);
 }

@@ -10,6 +10,7 @@
 
 #include "tests/support/grid_meshes.hpp"
 #include "tests/support/points3.hpp"
+#include "wellspaced/algorithms/audit/domain.hpp"
 #include "wellspaced/algorithms/audit/hierarchy_audit.hpp"
 #include "wellspaced/algorithms/audit/intersection.hpp"
 #include "wellspaced/algorithms/audit/mesh_audit.hpp"
@@ -19,6 +20,9 @@
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 #include "wellspaced/algorithms/coarsening/quality/selection_check.hpp"
 #include "wellspaced/algorithms/coarsening/statistics.hpp"
+#include "wellspaced/algorithms/mesh/prepare_mesh.hpp"
+#include "wellspaced/algorithms/packing/pack_domain.hpp"
+#include "wellspaced/algorithms/packing/space/feature_size3.hpp"
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 #include "wellspaced/algorithms/spacing/geodesic_spacing.hpp"
 #include "wellspaced/algorithms/spacing/nearest_neighbor.hpp"
@@ -39,14 +43,39 @@ const Hierarchy& hierarchy() {
   return levels;
 }
 
-const TetMesh& solid() {
-  static const TetMesh mesh = [] {
-    Random random(3);
-    std::vector<Point3> points(4000);
-    for (Point3& p : points) p = {random.uniform(), random.uniform(), random.uniform()};
-    return *audit::mesh_of_points(points);
+// All nodes and most edges of the grid, and a hole beside it.
+const Pslg& all_of_grid() {
+  static const Pslg domain = [] {
+    Pslg all;
+    all.points = grid().points;
+    for (const auto& [a, b, c] : grid().triangles) all.segments.push_back({a, b, 1});
+    all.holes.push_back({-5, -5});
+    return all;
   }();
+  return domain;
+}
+
+std::vector<Point3> random_places(std::size_t count) {
+  Random random(3);
+  std::vector<Point3> points(count);
+  for (Point3& p : points) p = {random.uniform(), random.uniform(), random.uniform()};
+  return points;
+}
+
+const TetMesh& solid() {
+  static const TetMesh mesh = *audit::mesh_of_points(random_places(4000));
   return mesh;
+}
+
+// All nodes, edges and hull facets of the solid, and a cavity beside it.
+audit::PolyhedralDomain all_of_solid() {
+  audit::PolyhedralDomain domain;
+  domain.points = solid().points;
+  for (const auto& [a, b, c, d] : solid().tets) domain.segments.push_back({a, b, 1});
+  for (const TetMesh::Facet& facet : solid().facets)
+    domain.facets.push_back({{facet.points.begin(), facet.points.end()}});
+  domain.holes.push_back({-5, -5, -5});
+  return domain;
 }
 
 struct Operation {
@@ -137,6 +166,40 @@ std::vector<Operation> operations() {
                                           hierarchy().levels[0].spacing, 4, p);
        }},
       {"audit", [](const Progress& p) { (void)audit::audit_mesh(grid(), {.progress = p}); }},
+      {"audit_domain",
+       [](const Progress& p) {
+         (void)audit::audit_mesh(grid(), {.domain = &all_of_grid(), .progress = p});
+       }},
+      {"audit_holes",
+       [](const Progress& p) {
+         audit::Report report;
+         audit::audit_holes(grid(), grid().points, p, report);
+       }},
+      {"audit_domain_space",
+       [](const Progress& p) {
+         const audit::PolyhedralDomain domain = all_of_solid();
+         (void)audit::audit_tet_mesh(solid(), {.domain = &domain, .progress = p});
+       }},
+      {"prepare_mesh",
+       [](const Progress& p) {
+         TriangleMesh mesh = grid();
+         mesh.segments = all_of_grid().segments;
+         (void)prepare_mesh(mesh, 0, p);
+       }},
+      {"packed_spacing",
+       [](const Progress& p) {
+         PackedMesh packed;
+         packed.mesh.points = grid().points;
+         packed.radius.assign(grid().points.size(), 0.5);
+         (void)packed_spacing(packed, 4, p);
+       }},
+      {"feature_size",
+       [](const Progress& p) {
+         PolyhedralComplex complex;
+         complex.points = random_places(40'000);
+         complex.is_vertex.assign(complex.points.size(), true);
+         (void)FeatureSize3(complex, p);
+       }},
       {"audit_space",
        [](const Progress& p) { (void)audit::audit_tet_mesh(solid(), {.progress = p}); }},
       {"audit_spacing", [](const Progress& p) { audit_spacing_of(grid(), p); }},

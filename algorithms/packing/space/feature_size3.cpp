@@ -77,7 +77,8 @@ FeatureSize3::Box FeatureSize3::box_of(const Item& item) const {
 
 // ---- The tree ------------------------------------------------------------------------------
 
-FeatureSize3::FeatureSize3(const PolyhedralComplex& complex) : complex_(&complex) {
+FeatureSize3::FeatureSize3(const PolyhedralComplex& complex, const Progress& progress)
+    : complex_(&complex) {
   for (Index v = 0; v < complex.points.size(); ++v)
     if (complex.is_vertex[v]) items_.push_back({{0, v}, {v, v, v}});
   for (Index s = 0; s < complex.segments.size(); ++s)
@@ -95,15 +96,18 @@ FeatureSize3::FeatureSize3(const PolyhedralComplex& complex) : complex_(&complex
     sort_unique(touching);
   }
   if (items_.empty()) return;
-  std::size_t leaves = 1;
-  while (leaves * kItemsInLeaf < items_.size()) leaves *= 2;
+  std::size_t leaves = 1, levels = 1;
+  for (; leaves * kItemsInLeaf < items_.size(); ++levels) leaves *= 2;
   around_.resize(2 * leaves - 1);
-  build_tree(0, 0, items_.size());
+  ProgressMeter meter(progress, "sort", levels * items_.size());
+  build_tree(0, 0, items_.size(), meter);
   for (const Item& item : items_) shapes_.push_back(shape_of(item));
 }
 
 // Recursion is as deep as the tree, log2 n.
-void FeatureSize3::build_tree(std::size_t node, std::size_t first, std::size_t last) {
+void FeatureSize3::build_tree(std::size_t node, std::size_t first, std::size_t last,
+                              ProgressMeter& meter) {
+  if (!meter.step(last - first)) return;
   Box box = box_of(items_[first]);
   for (std::size_t i = first + 1; i < last; ++i) {
     const auto [low, high] = box_of(items_[i]);
@@ -126,8 +130,8 @@ void FeatureSize3::build_tree(std::size_t node, std::size_t first, std::size_t l
   const auto at = [&](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(first), at(middle), at(last),
                    [&](const Item& x, const Item& y) { return key(x) < key(y); });
-  build_tree(2 * node + 1, first, middle);
-  build_tree(2 * node + 2, middle, last);
+  build_tree(2 * node + 1, first, middle, meter);
+  build_tree(2 * node + 2, middle, last, meter);
 }
 
 // Calls visit(number of an item, distance squared) by increasing distance until it returns false.

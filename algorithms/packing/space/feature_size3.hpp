@@ -6,6 +6,7 @@
 
 #include "wellspaced/algorithms/packing/space/polyhedral_complex.hpp"
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/progress.hpp"
 
 namespace wellspaced {
 
@@ -23,7 +24,8 @@ namespace wellspaced {
 /// touch the vertex nearest by. See: Definition 2.2.5, section 4.2.
 class FeatureSize3 {
  public:
-  explicit FeatureSize3(const PolyhedralComplex& complex);
+  /// progress: phase "sort"; told to stop, the object is of no use.
+  explicit FeatureSize3(const PolyhedralComplex& complex, const Progress& progress = {});
 
   /// A vertex (dimension 0), segment (1) or part of a facet (2).
   struct Feature {
@@ -91,7 +93,7 @@ class FeatureSize3 {
   class Touching;
 
   Shape shape_of(const Item& item) const;
-  void build_tree(std::size_t node, std::size_t first, std::size_t last);
+  void build_tree(std::size_t node, std::size_t first, std::size_t last, ProgressMeter& meter);
   Box box_of(const Item& item) const;
   bool touch(const Item& x, const Item& y) const;
   bool touches_facet(const Item& x, const Item& facet) const;

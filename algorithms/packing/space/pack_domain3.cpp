@@ -144,11 +144,13 @@ Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& o
   constexpr std::size_t kMostFaults = 1000;
   const auto complex = build_complex(domain, options.flatness, options.progress);
   if (!complex) return complex.error();
-  const FeatureSize3 features(*complex);
-  ProgressParts check(options.progress, "check", 1);
+  ProgressParts check(options.progress, "check", 2);
+  const auto cancelled = [] { return Error{ErrorCode::kCancelled, "cancelled", {}}; };
+  const FeatureSize3 features(*complex, check.part(0));
+  if (check.stopped()) return cancelled();
   const auto faults =
-      find_rule_violations(*complex, features, options.flatness, kMostFaults, check.part(0));
-  if (check.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
+      find_rule_violations(*complex, features, options.flatness, kMostFaults, check.part(1));
+  if (check.stopped()) return cancelled();
   if (!faults.empty()) return rule_error(faults, *complex);
 
   SurfaceOptions surface_options;
