@@ -38,7 +38,7 @@ audit::Report judged(const TetMesh& mesh, SpacingKind kind,
   return report;
 }
 
-const audit::Theorem& theorem(const audit::Report& report, const std::string& name) {
+audit::Theorem theorem(const audit::Report& report, const std::string& name) {
   return *std::find_if(report.theorems.begin(), report.theorems.end(),
                        [&](const auto& t) { return t.name == name; });
 }
@@ -76,7 +76,7 @@ TEST(Theorems, OnTheHexagonalLatticeThePrintedConstantOf251IsRefutedAndTheCorrec
   mesh.points = {{0, 0}, {1, 0}, {0.5, std::sqrt(0.75)}, {1.5, std::sqrt(0.75)}};
   mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
   test::add_boundary_segments(mesh);
-  const auto& t = theorem(judged(mesh, SpacingKind::kNearestNeighbour), "2.5.1(1)");
+  const auto t = theorem(judged(mesh, SpacingKind::kNearestNeighbour), "2.5.1(1)");
   EXPECT_NEAR(t.left, 1 / std::sqrt(0.75), 1e-9);
   EXPECT_TRUE(t.holds);
   EXPECT_LT(t.right / 4, t.left);
@@ -124,7 +124,7 @@ TEST(Theorems, BoundTheGapsOfACubicGrid) {
       {"3.6.2(3)", "gap_interior_upper", rho, 4.5 * (1 + 8 * rho) * (1 + 8 * rho) + 0.5}};
   audit::Report report = judged(mesh, SpacingKind::kNearestNeighbour);
   for (const auto& [name, gap, left, right] : cases) {
-    const auto& t = theorem(report, name);
+    const auto t = theorem(report, name);
     EXPECT_TRUE(t.applies()) << t.missing_hypothesis;
     EXPECT_TRUE(t.holds);
     EXPECT_NEAR(t.left, left, 0.05 * left);
@@ -192,7 +192,7 @@ TEST(Theorems, OfPackingApplyWhereTheMeshIsOne) {
   audit::SpacingAuditOptions options;
   options.spacing = f;
   options.beta = 12;
-  const auto& t = theorem(judged(mesh, SpacingKind::kLocalFeatureSize, options), "4.3.7");
+  const auto t = theorem(judged(mesh, SpacingKind::kLocalFeatureSize, options), "4.3.7");
   EXPECT_TRUE(t.applies());
   EXPECT_NEAR(t.right, 24 / (5 - 2 * std::sqrt(2.0)), 1e-12);
   EXPECT_NEAR(t.left, std::sqrt(0.75), 1e-9);
