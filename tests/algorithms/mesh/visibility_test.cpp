@@ -2,53 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/support/grid_meshes.hpp"
 #include "tests/support/slit_meshes.hpp"
-#include "wellspaced/kernel/distance.hpp"
+#include "tests/support/slow_sight.hpp"
 
 namespace wellspaced {
 namespace {
-
-struct Interval {
-  double low, high;
-};
-
-// The part of the segment from p to q inside a closed triangle.
-Interval part_inside(const TriangleMesh& mesh, Index t, Point2 p, Point2 q) {
-  Interval part{0, 1};
-  for (int i = 0; i < 3; ++i) {
-    const Point2 a = mesh.points[mesh.triangles[t][i]],
-                 b = mesh.points[mesh.triangles[t][(i + 1) % 3]];
-    const auto side = [&](Point2 x) {
-      return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x);
-    };
-    const double at_p = side(p), at_q = side(q);
-    if (at_p < 0 && at_q < 0) return {1, 0};
-    if (at_p < 0 && at_q >= 0) part.low = std::max(part.low, at_p / (at_p - at_q));
-    if (at_p >= 0 && at_q < 0) part.high = std::min(part.high, at_p / (at_p - at_q));
-  }
-  return part;
-}
-
-// Whether the triangles cover the segment. On small whole coordinates no gap is below 1e-6.
-bool slow_sees(const TriangleMesh& mesh, Point2 p, Point2 q) {
-  std::vector<Interval> parts;
-  for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    const Interval part = part_inside(mesh, t, p, q);
-    if (part.low <= part.high) parts.push_back(part);
-  }
-  std::sort(parts.begin(), parts.end(), [](Interval a, Interval b) { return a.low < b.low; });
-  double covered = 0;
-  bool starts = false;
-  for (const Interval part : parts) {
-    if (part.low > covered + 1e-9) return false;
-    starts = starts || part.low == 0;
-    covered = std::max(covered, part.high);
-  }
-  return starts && covered > 1 - 1e-9;
-}
 
 TriangleMesh grid_with_holes(std::uint64_t seed) {
   return test::grid_mesh({.nx = 7, .ny = 6, .jitter = 0, .hole = 0.25, .seed = seed});
@@ -62,7 +21,7 @@ TEST(Visibility, IsThatOfTheUnionOfAllTriangles) {
     for (Index p = 0; p < mesh.points.size(); ++p) {
       if (visibility.links().around(p).empty()) continue;
       for (Index q = 0; q < mesh.points.size(); ++q) {
-        const bool expected = slow_sees(mesh, mesh.points[p], mesh.points[q]);
+        const bool expected = test::slow_sees(mesh, mesh.points[p], mesh.points[q]);
         ASSERT_EQ(visibility.sees(p, q), expected) << p << ' ' << q << " seed " << seed;
         blocked += !expected;
       }
@@ -81,7 +40,8 @@ TEST(Visibility, FromAPointInATriangleIsThatOfTheUnion) {
     const Point2 middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
     for (Index v = 0; v < mesh.points.size(); ++v)
       for (const Point2 x : {inside, middle, r})
-        ASSERT_EQ(visibility.sees(x, t, v), slow_sees(mesh, x, mesh.points[v])) << t << ' ' << v;
+        ASSERT_EQ(visibility.sees(x, t, v), test::slow_sees(mesh, x, mesh.points[v]))
+            << t << ' ' << v;
   }
 }
 
