@@ -1,6 +1,7 @@
 // wellspaced convert: from one file format to another.
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/formats/formats.hpp"
+#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 namespace {
@@ -28,6 +29,7 @@ Result<int> run_convert(Arguments& arguments, Session& session) {
   const std::string& source = arguments.operands()[0];
   auto geometry = read_geometry(source, session.reading());
   if (!geometry) return geometry.error();
+  const unsigned parts = parts_of(*geometry);
   if (!geometry->mesh.triangles.empty())
     if (Status status = prepare_geometry(*geometry, display_name(source), session.progress());
         !status)
@@ -36,6 +38,9 @@ Result<int> run_convert(Arguments& arguments, Session& session) {
   const Status written =
       write_geometry(session.outputs(), *target, session.options().format, *geometry);
   if (!written) return written.error();
+  const std::string lost = parts_left_out(*target, session.options().format, parts);
+  if (!lost.empty())
+    session.note(concat({*target, ": the format has no place for ", lost, ": left out"}));
   if (Status status = write_summary(*geometry, session); !status) return status.error();
   return kExitOk;
 }

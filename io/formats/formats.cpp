@@ -18,6 +18,7 @@
 #include "wellspaced/io/pictures/svg.hpp"
 #include "wellspaced/io/text/scanner.hpp"
 #include "wellspaced/kernel/concat.hpp"
+#include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced {
 namespace {
@@ -105,8 +106,9 @@ VtkGrid grid_of(const Geometry& geometry) {
 }
 
 template <VtuEncoding kEncoding>
-void write_as_vtu(TextWriter& out, const Geometry& geometry) {
-  write_vtu(out, grid_of(geometry), kEncoding);
+Status write_as_vtu(OutputSet& outputs, const std::string& path, const Geometry& geometry) {
+  if (Status status = refuse_polygons(geometry, path, "a VTU file"); !status) return status;
+  return outputs.add(path, [&](TextWriter& out) { write_vtu(out, grid_of(geometry), kEncoding); });
 }
 
 template <VtkEncoding kEncoding>
@@ -115,6 +117,7 @@ Status write_as_vtk(OutputSet& outputs, const std::string& path, const Geometry&
   if (geometry.point_count() > kMostPoints)
     return wrong_usage(
         concat({path, ": a legacy VTK file holds 2147483647 points at most; write .vtu"}));
+  if (Status status = refuse_polygons(geometry, path, "a VTK file"); !status) return status;
   const VtkGrid grid = grid_of(geometry);
   return outputs.add(path, [&](TextWriter& out) { write_vtk(out, grid, kEncoding); });
 }
@@ -133,47 +136,69 @@ Status write_as_gmsh(OutputSet& outputs, const std::string& path, const Geometry
   return write_gmsh(outputs, path, geometry, {kVersion, kEncoding});
 }
 
+using Part = GeometryPart;
+constexpr unsigned kEverything = ~0U;
+constexpr unsigned kSurface = Part::kCells | Part::kFacets;
+constexpr unsigned kEdges = Part::kSegments | Part::kSegmentsInSpace;
+constexpr unsigned kMarkedElements = kSurface | kEdges | Part::kSegmentMarkers |
+                                     Part::kFacetMarkers | Part::kCellMarkers |
+                                     Part::kMarkersBelowOne;
+constexpr unsigned kKeptByMedit = kMarkedElements | Part::kPointMarkers;
+constexpr unsigned kKeptByGmsh = kKeptByMedit | Part::kMarkerNames;
+constexpr unsigned kKeptByVtk = kKeptByMedit | Part::kPointAttributes | Part::kCellAttributes;
+constexpr unsigned kKeptByTriangle = kEverything & ~Part::kMarkerNames;
+constexpr unsigned kKeptByObj = kMarkedElements;
+constexpr unsigned kKeptByMfem =
+    kMarkedElements & ~(Part::kSegmentsInSpace | Part::kMarkersBelowOne);
+constexpr unsigned kKeptBySu2 =
+    (kMarkedElements & ~(Part::kSegmentsInSpace | Part::kCellMarkers)) | Part::kMarkerNames;
+constexpr unsigned kKeptBySmesh = Part::kPointAttributes | Part::kPointMarkers | Part::kFacets |
+                                  Part::kFacetMarkers | Part::kMarkersBelowOne |
+                                  Part::kHolesAndRegions;
+
 // In the order in which contents are tried: first those that announce themselves. To add a format,
 // add a line. Those without an extension are other ways to write one.
 constexpr auto kFormats = std::to_array<Format>({
-    {"gmsh", ".msh", "Gmsh 4.1, plain text", parse_gmsh, recognise_gmsh,
+    {"gmsh", ".msh", "Gmsh 4.1, plain text", kKeptByGmsh, parse_gmsh, recognise_gmsh,
      write_as_gmsh<GmshVersion::k41, GmshEncoding::kAscii>},
-    {"gmsh22", "", "Gmsh 2.2, plain text", parse_gmsh, nullptr,
+    {"gmsh22", "", "Gmsh 2.2, plain text", kKeptByGmsh, parse_gmsh, nullptr,
      write_as_gmsh<GmshVersion::k22, GmshEncoding::kAscii>},
-    {"gmsh-binary", "", "Gmsh 4.1, binary", parse_gmsh, nullptr,
+    {"gmsh-binary", "", "Gmsh 4.1, binary", kKeptByGmsh, parse_gmsh, nullptr,
      write_as_gmsh<GmshVersion::k41, GmshEncoding::kBinary>},
-    {"gmsh22-binary", "", "Gmsh 2.2, binary", parse_gmsh, nullptr,
+    {"gmsh22-binary", "", "Gmsh 2.2, binary", kKeptByGmsh, parse_gmsh, nullptr,
      write_as_gmsh<GmshVersion::k22, GmshEncoding::kBinary>},
-    {"vtu", ".vtu", "VTK XML, base64", parse_vtu, recognise_vtu,
-     write_one<write_as_vtu<VtuEncoding::kBase64>>},
-    {"vtu-ascii", "", "VTK XML, plain text", parse_vtu, nullptr,
-     write_one<write_as_vtu<VtuEncoding::kAscii>>},
-    {"vtu-raw", "", "VTK XML, raw binary", parse_vtu, nullptr,
-     write_one<write_as_vtu<VtuEncoding::kRaw>>},
-    {"vtk", ".vtk", "legacy VTK, plain text", parse_vtk, recognise_vtk,
+    {"vtu", ".vtu", "VTK XML, base64", kKeptByVtk, parse_vtu, recognise_vtu,
+     write_as_vtu<VtuEncoding::kBase64>},
+    {"vtu-ascii", "", "VTK XML, plain text", kKeptByVtk, parse_vtu, nullptr,
+     write_as_vtu<VtuEncoding::kAscii>},
+    {"vtu-raw", "", "VTK XML, raw binary", kKeptByVtk, parse_vtu, nullptr,
+     write_as_vtu<VtuEncoding::kRaw>},
+    {"vtk", ".vtk", "legacy VTK, plain text", kKeptByVtk, parse_vtk, recognise_vtk,
      write_as_vtk<VtkEncoding::kAscii>},
-    {"vtk-binary", "", "legacy VTK, binary", parse_vtk, nullptr,
+    {"vtk-binary", "", "legacy VTK, binary", kKeptByVtk, parse_vtk, nullptr,
      write_as_vtk<VtkEncoding::kBinary>},
-    {"medit", ".mesh", "Medit: mmg, FreeFEM", parse_medit, recognise_medit, write_medit},
-    {"mfem", ".mfem .mesh", "MFEM mesh v1.0", parse_mfem, recognise_mfem, write_mfem},
-    {"su2", ".su2", "SU2", parse_su2, recognise_su2, write_su2},
-    {"off", ".off", "Object File Format: a surface", parse_off, recognise_off, write_off},
-    {"stl", ".stl", "STL: triangles, plain text", parse_stl, recognise_stl, write_stl},
-    {"stl-binary", "", "STL: triangles, 32-bit binary", parse_stl, nullptr, write_stl_binary},
-    {"obj", ".obj", "Wavefront OBJ: a surface", parse_obj, recognise_obj, write_obj},
+    {"medit", ".mesh", "Medit: mmg, FreeFEM", kKeptByMedit, parse_medit, recognise_medit,
+     write_medit},
+    {"mfem", ".mfem .mesh", "MFEM mesh v1.0", kKeptByMfem, parse_mfem, recognise_mfem, write_mfem},
+    {"su2", ".su2", "SU2", kKeptBySu2, parse_su2, recognise_su2, write_su2},
+    {"off", ".off", "Object File Format: a surface", kSurface, parse_off, recognise_off, write_off},
+    {"stl", ".stl", "STL: triangles, plain text", kSurface, parse_stl, recognise_stl, write_stl},
+    {"stl-binary", "", "STL: triangles, 32-bit binary", kSurface, parse_stl, nullptr,
+     write_stl_binary},
+    {"obj", ".obj", "Wavefront OBJ: a surface", kKeptByObj, parse_obj, recognise_obj, write_obj},
     {"triangle", ".node .ele .edge .face", "Triangle's and TetGen's .node, .ele, .poly, ...",
-     parse_node, recognise_node, write_set},
-    {"poly", ".poly", "Triangle's and TetGen's domains", parse_poly_alone, recognise_poly,
-     write_poly_or_set},
-    {"smesh", ".smesh", "TetGen's simpler domains in space", parse_smesh_alone, nullptr,
-     write_smesh_file},
-    {"fort14", ".14 .grd", "ADCIRC's fort.14", parse_fort14, recognise_fort14, nullptr},
-    {"f64", ".f64", "points as little-endian doubles", parse_f64, looks_like_f64,
+     kKeptByTriangle, parse_node, recognise_node, write_set},
+    {"poly", ".poly", "Triangle's and TetGen's domains", kKeptByTriangle, parse_poly_alone,
+     recognise_poly, write_poly_or_set},
+    {"smesh", ".smesh", "TetGen's simpler domains in space", kKeptBySmesh, parse_smesh_alone,
+     nullptr, write_smesh_file},
+    {"fort14", ".14 .grd", "ADCIRC's fort.14", 0, parse_fort14, recognise_fort14, nullptr},
+    {"f64", ".f64", "points as little-endian doubles", 0, parse_f64, looks_like_f64,
      write_one<write_f64>},
-    {"xyz", ".xyz", "points, one a line", parse_xyz, recognise_xyz, write_one<write_xyz>},
-    {"metis", ".graph", "METIS .graph and coordinates in .xyz", nullptr, nullptr, write_metis,
-     read_metis},
-    {"svg", ".svg", "a picture; tetrahedra cut open", nullptr, nullptr, write_as_svg},
+    {"xyz", ".xyz", "points, one a line", 0, parse_xyz, recognise_xyz, write_one<write_xyz>},
+    {"metis", ".graph", "METIS .graph and coordinates in .xyz", kEdges, nullptr, nullptr,
+     write_metis, read_metis},
+    {"svg", ".svg", "a picture; tetrahedra cut open", kEverything, nullptr, nullptr, write_as_svg},
 });
 
 bool has_word(std::string_view list, std::string_view word) {
@@ -227,6 +252,18 @@ const Format* find_by_content(std::string_view text) {
     return format.recognise != nullptr && format.recognise(text);
   });
   return found == kFormats.end() ? nullptr : &*found;
+}
+
+// What is to be written to `path`, where a name of a format overrules its extension.
+const Format* find_output_format(const std::string& path, const std::string& format_name) {
+  return format_name.empty() ? find_by_extension(path) : find_by_name(format_name);
+}
+
+// Whether some markers are positive and others are not.
+bool mixes_markers(const std::vector<int>& markers) {
+  const auto is_positive = [](int marker) { return marker > 0; };
+  return any_of(markers, is_positive) ? !all_of(markers, is_positive)
+                                      : any_of(markers, [](int marker) { return marker < 0; });
 }
 
 std::string names_of(bool (*wanted)(const Format&)) {
@@ -373,10 +410,58 @@ bool writes_triangle_files(const std::string& path, const std::string& format_na
   return find_by_extension(path) == nullptr || triangle_set_name(path) != path;
 }
 
+unsigned parts_of(const Geometry& geometry) {
+  const bool in_plane = geometry.dimension == 2;
+  const auto& segments = in_plane ? geometry.mesh.segments : geometry.solid.segments;
+  std::vector<int> segment_markers, facet_markers;
+  for (const Segment& s : segments) segment_markers.push_back(s.marker);
+  for (const TetMesh::Facet& f : geometry.solid.facets) facet_markers.push_back(f.marker);
+  for (const Pls::Facet& f : geometry.polygons) facet_markers.push_back(f.marker);
+  const bool cells_are_marked = !without_zeros(cell_markers(geometry)).empty();
+  unsigned parts = 0;
+  const auto add = [&](unsigned part, bool is_there) { parts |= is_there ? part : 0; };
+  add(Part::kPointAttributes, geometry.point_attributes.columns > 0);
+  add(Part::kPointMarkers, !without_zeros(geometry.point_markers()).empty());
+  add(Part::kCells, geometry.has_cells());
+  add(cells_are_marked ? Part::kCellMarkers : Part::kCellAttributes,
+      geometry.has_cells() && geometry.cell_attributes.columns > 0);
+  add(in_plane ? Part::kSegments : Part::kSegmentsInSpace, !segments.empty());
+  add(Part::kSegmentMarkers, !without_zeros(segment_markers).empty());
+  add(Part::kFacets, geometry.has_facets());
+  add(Part::kFacetMarkers, !without_zeros(facet_markers).empty());
+  add(Part::kMarkersBelowOne, mixes_markers(segment_markers) || mixes_markers(facet_markers));
+  add(Part::kHolesAndRegions, !geometry.holes.empty() || !geometry.regions.empty() ||
+                                  !geometry.volume_holes.empty() ||
+                                  !geometry.volume_regions.empty());
+  add(Part::kMarkerNames, !geometry.marker_names.empty());
+  return parts;
+}
+
+std::string parts_left_out(const std::string& path, const std::string& format_name,
+                           unsigned parts) {
+  constexpr std::pair<unsigned, std::string_view> kWords[] = {
+      {Part::kPointAttributes, "attributes of points"},
+      {Part::kPointMarkers, "markers of points"},
+      {Part::kCells, "triangles or tetrahedra"},
+      {Part::kCellAttributes | Part::kCellMarkers, "attributes of triangles or tetrahedra"},
+      {Part::kSegments | Part::kSegmentsInSpace, "segments"},
+      {Part::kSegmentMarkers, "markers of segments"},
+      {Part::kFacets, "facets"},
+      {Part::kFacetMarkers, "markers of facets"},
+      {Part::kMarkersBelowOne, "markers below 1"},
+      {Part::kHolesAndRegions, "holes and regions"},
+      {Part::kMarkerNames, "names of markers"}};
+  const Format* const format = find_output_format(path, format_name);
+  const unsigned left_out = format == nullptr ? 0 : parts & ~format->keeps;
+  std::string text;
+  for (const auto& [part, words] : kWords)
+    if ((left_out & part) != 0) append(text, {text.empty() ? "" : ", ", words});
+  return text;
+}
+
 Status write_geometry(OutputSet& outputs, const std::string& path, const std::string& format_name,
                       const Geometry& geometry) {
-  const Format* const format =
-      format_name.empty() ? find_by_extension(path) : find_by_name(format_name);
+  const Format* const format = find_output_format(path, format_name);
   if (format == nullptr && format_name.empty())
     return wrong_usage(concat(
         {path, ": no format has this extension; name one with --format: ", writable_names()}));

@@ -15,11 +15,31 @@
 
 namespace wellspaced {
 
+/// What a geometry may hold beside its points; sets of them are sums.
+struct GeometryPart {
+  enum : unsigned {
+    kPointAttributes = 1,
+    kPointMarkers = 2,
+    kCells = 4,  ///< triangles in the plane, tetrahedra
+    kCellAttributes = 8,
+    kCellMarkers = 16,  ///< attributes that are one column of 32-bit integers
+    kSegments = 32,
+    kSegmentsInSpace = 64,
+    kSegmentMarkers = 128,
+    kFacets = 256,
+    kFacetMarkers = 512,
+    kMarkersBelowOne = 1024,  ///< of segments and facets, beside others
+    kHolesAndRegions = 2048,
+    kMarkerNames = 4096
+  };
+};
+
 /// A file format. What it cannot do is null.
 struct Format {
   std::string_view name;        ///< as in --format
   std::string_view extensions;  ///< ".node .ele": those that stand for it
   std::string_view about;       ///< one line for the help
+  unsigned keeps;               ///< the parts of a geometry that it has a place for
   /// Reads one whole text.
   Result<Geometry> (*parse)(std::string_view text, const TextSource& source);
   /// Whether a text of unknown origin seems to be in this format.
@@ -69,6 +89,13 @@ Pls to_pls(Geometry geometry);
 /// geometry; kUsage and kLimit as OutputSet::add().
 [[gnu::cold]] Status write_geometry(OutputSet& outputs, const std::string& path,
                                     const std::string& format, const Geometry& geometry);
+
+/// The parts that a geometry holds: a set of GeometryPart.
+unsigned parts_of(const Geometry& geometry);
+
+/// In words, those of the parts that write_geometry() leaves out, as the format has no place for
+/// them: "point markers, holes and regions"; empty where there are none.
+std::string parts_left_out(const std::string& path, const std::string& format, unsigned parts);
 
 /// Whether an output of that name and format, as they are given on a command line, is a set of
 /// Triangle's files: also where neither says anything.

@@ -2,6 +2,7 @@
 
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
+#include "wellspaced/io/formats/formats.hpp"
 
 namespace wellspaced {
 namespace {
@@ -24,12 +25,79 @@ TEST(Convert, WritesAMeshInEveryFormat) {
   for (const char* name : {"b.vtu", "b.vtk", "b.svg", "b.xyz", "b.f64", "b.node", "b.edge"}) {
     const auto run = run_program({"convert", mesh, directory / name});
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_EQ(run.out + run.err, "");
+    const bool points_alone = name == std::string("b.xyz") || name == std::string("b.f64");
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.err.find("triangles") != std::string::npos, points_alone) << run.err;
     EXPECT_GT(read_bytes(directory / name).size(), 10u) << name;
   }
   EXPECT_EQ(read_bytes(directory / "b.ele"), kEle) << "the index base is kept";
   EXPECT_EQ(read_bytes(directory / "b.poly"),
             "0 2 0 0\n4 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n0\n");
+}
+
+// Two triangles, an inner segment, and all that can be said of them.
+std::string write_laden_square(const TemporaryDirectory& directory) {
+  directory.write("a.node", "4 2 1 1\n1 0 0 .5 3\n2 1 0 .5 0\n3 1 1 .5 0\n4 0 1 .5 0\n");
+  directory.write("a.poly",
+                  "0 2 0 1\n5 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n5 1 3 -5\n1\n1 9 9\n"
+                  "1\n1 .7 .2 7 .1\n");
+  return directory.write("a.ele", "2 3 1\n1 1 2 3 7\n2 1 3 4 8\n");
+}
+
+// Nothing was said: holes, regions, attributes and markers vanished on the way.
+TEST(Convert, SaysWhatTheFormatHasNoPlaceFor) {
+  const TemporaryDirectory directory;
+  const std::string mesh = write_laden_square(directory);
+  const std::pair<const char*, const char*> notes[] = {
+      {"b.node", ""},
+      {"b.vtu", "holes and regions: left out"},
+      {"b.msh", "attributes of points, holes and regions: left out"},
+      {"b.mesh", "attributes of points, holes and regions: left out"},
+      {"b.mfem", "attributes of points, markers of points, markers below 1, holes and regions"},
+      {"b.su2",
+       "attributes of points, markers of points, attributes of triangles or tetrahedra, holes"},
+      {"b.off",
+       "attributes of triangles or tetrahedra, segments, markers of segments, markers below 1"},
+      {"b.xyz", "attributes of points, markers of points, triangles or tetrahedra"},
+      {"b.svg", ""}};
+  for (const auto& [name, words] : notes) {
+    const auto run = run_program({"convert", mesh, directory / name});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err.empty(), *words == 0) << run.err;
+    EXPECT_NE(run.err.find(words), std::string::npos) << name << ": " << run.err;
+  }
+}
+
+// What a format is said to keep comes back.
+TEST(Convert, BringsBackWhatIsSaidToBeKept) {
+  const TemporaryDirectory directory;
+  const std::string mesh = write_laden_square(directory);
+  for (const Format& format : formats()) {
+    if (format.write == nullptr || !format.readable()) continue;
+    SCOPED_TRACE(format.name);
+    const std::string name(format.name);
+    const std::string extension(format.extensions.substr(0, format.extensions.find(' ')));
+    const std::string path = directory / (name + (extension.empty() ? ".x" : extension));
+    const auto there = run_program({"convert", mesh, path, "--format", name});
+    if (there.exit_code == 2) continue;  // for domains in space alone
+    const auto geometry = read_geometry(
+        path, {.format = name == "metis" || name == "triangle" || name == "poly" ? "" : name});
+    ASSERT_TRUE(geometry.ok()) << geometry.error().message;
+    const auto original = read_geometry(mesh);
+    ASSERT_TRUE(original.ok());
+    const unsigned left_out = format.keeps & parts_of(*original) & ~parts_of(*geometry);
+    EXPECT_EQ(left_out, 0u);
+  }
+}
+
+TEST(Convert, RefusesPolygonsInSpaceWhereTheFormatHasNoPlaceForThem) {
+  constexpr const char* kPolygon =
+      "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 1\n4 0 1 1\n1 0\n1 0\n4 1 2 3 4\n0\n";
+  const TemporaryDirectory directory;
+  const std::string domain = directory.write("a.poly", kPolygon);
+  for (const char* name : {"b.vtu", "b.vtk", "b.msh"})
+    EXPECT_EQ(run_program({"convert", domain, directory / name}).exit_code, 2) << name;
+  EXPECT_EQ(run_program({"convert", domain, directory / "b.off"}).exit_code, 0);
 }
 
 TEST(Convert, PassesDataThroughTheStandardStreams) {
