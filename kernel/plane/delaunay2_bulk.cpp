@@ -42,9 +42,9 @@ class BulkInsertion {
         progress_(options.progress),
         duplicates_(duplicates),
         first_(triangles[0].vertex),
-        used_(static_cast<Index>(triangles.size())),
-        inserters_(std::max(options.threads, 1u), Inserter(triangles, points)) {
+        used_(static_cast<Index>(triangles.size())) {
     triangles.resize(2 * points.size());
+    inserters_.assign(std::max(options.threads, 1u), Inserter(triangles, points));
   }
 
   // `ends` and `regions` as in InsertionRuns. Returns false if it was stopped; then the triangles
