@@ -199,7 +199,6 @@ std::vector<Delaunay2::Duplicate> Delaunay2::sort_out_duplicates() const {
 // among its duplicates.
 void Delaunay2::number_as_input(std::span<const Point2> points, std::vector<Index>& order,
                                 const std::vector<Duplicate>& duplicates) {
-  points_.assign(points.begin(), points.end());
   if (!duplicates.empty()) {
     const std::vector<Index> input_number = order;
     for (const auto& [point, vertex] : duplicates)
@@ -209,19 +208,26 @@ void Delaunay2::number_as_input(std::span<const Point2> points, std::vector<Inde
     for (std::size_t i = 0; i < order.size(); ++i) representative_[input_number[i]] = order[i];
     duplicate_count_ += duplicates.size();
   }
-  LargeVector<Index> triangle_of(order.size(), kNoIndex);
+  // Fresh memory costs time, and that of the sorted points is needed no more.
+  struct Vertex {
+    Index number, triangle;
+  };
+  static_assert(sizeof(Vertex) <= sizeof(Point2) && alignof(Vertex) <= alignof(Point2));
+  const std::span vertices(reinterpret_cast<Vertex*>(points_.data()), points_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) vertices[i] = {order[i], kNoIndex};
   for (Index t = topology_.size(); t-- > 0;) {
     for (Index& v : topology_.triangles_[t].vertex) {
       if (v == kGhost) continue;
-      triangle_of[v] = t;
-      v = order[v];
+      vertices[v].triangle = t;
+      v = vertices[v].number;
     }
   }
   // Only here the numbers jump about: in insertion order, neighbours are near each other.
-  reserve_large(triangle_of_, points_.size());
+  triangle_of_ = std::move(order);
   triangle_of_.assign(points_.size(), kNoIndex);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    if (triangle_of[i] != kNoIndex) triangle_of_[order[i]] = triangle_of[i];
+  for (const auto& [number, triangle] : vertices)
+    if (triangle != kNoIndex) triangle_of_[number] = triangle;
+  points_.assign(points.begin(), points.end());
 }
 
 void Delaunay2::allocate_representatives() {
