@@ -48,7 +48,7 @@ class alignas(kCacheLine) PointInserter2 {
         slots_(kUsualStar),
         stack_(kUsualStar) {
     const auto& v = triangles[0].vertex;
-    p_ = Two{points[v[1]].x, points[v[1]].y};
+    p_ = coordinates(v[1]);
     ghost_sq_ = predicate_filter::squared_length(difference(v[0]));
   }
 
@@ -57,7 +57,7 @@ class alignas(kCacheLine) PointInserter2 {
 
   /// The triangle that point v lies in or on, or the ghost that it lies strictly beyond.
   Index locate(Index v) {
-    p_ = Two{points_[v].x, points_[v].y};
+    p_ = coordinates(v);
     return hint_ = walk(hint_).link >> 3;
   }
 
@@ -67,7 +67,7 @@ class alignas(kCacheLine) PointInserter2 {
   /// Cost: the walk from the last point, and the degree of the new vertex.
   Outcome insert(Index v, Index first_new, Index next) {
     if (hint_ == kNoIndex) return Outcome::kFenced;
-    p_ = Two{points_[v].x, points_[v].y};
+    p_ = coordinates(v);
     const SeenTriangle place = walk(hint_);
     if (place.link & kFence) return Outcome::kFenced;
     twin_ = twin_of_p(place);
@@ -141,10 +141,9 @@ class alignas(kCacheLine) PointInserter2 {
 
   Point2 p() const { return {p_[0], p_[1]}; }
 
-  Two difference(Index v) const {
-    if (v == kGhostVertex) return Two{0, 0};
-    return Two{points_[v].x, points_[v].y} - p_;
-  }
+  Two coordinates(Index v) const { return Two{points_[v].x, points_[v].y}; }
+
+  Two difference(Index v) const { return v == kGhostVertex ? Two{0, 0} : coordinates(v) - p_; }
 
   Corner see(Index v) const {
     const Two xy = difference(v);
@@ -157,14 +156,14 @@ class alignas(kCacheLine) PointInserter2 {
                     points_[t.vertex[Triangulation2::previous(i)]], p());
   }
 
-  // The same, estimated by `minor`.
+  // Whether p lies strictly beyond edge i of triangle t, as `minor` estimates.
   bool is_beyond(double minor, double bound, const Triangle& t, unsigned i) const {
     if (!(std::fabs(minor) > bound)) [[unlikely]]
       return exact_side(t, i) < 0;
     return minor < 0;
   }
 
-  // Whether p is in conflict with triangle t, estimated by `determinant`.
+  // Whether triangle t is in conflict with p, as `determinant` estimates.
   bool is_in_hole(double determinant, double bound, const Triangle& t) const {
     if (!(std::fabs(determinant) > bound)) [[unlikely]]
       return is_in_conflict(t);
@@ -251,7 +250,8 @@ class alignas(kCacheLine) PointInserter2 {
 
   // ---- Insertion.
 
-  // The star of p, vertex v, as far as it is written.
+  // The star of p, vertex v, as far as it is written. What only the loop of replace_hole calls is
+  // always inlined there, for structs in registers.
   struct Star {
     Triangle* triangles;
     Index v;
