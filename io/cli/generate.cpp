@@ -1,6 +1,5 @@
 // wellspaced generate: test meshes, domains and point sets.
 #include <array>
-#include <filesystem>
 
 #include "wellspaced/algorithms/generate/graded_mesh.hpp"
 #include "wellspaced/algorithms/generate/grid.hpp"
@@ -299,13 +298,6 @@ Status write_summary(std::string_view kind, const Geometry& geometry, Session& s
   return session.write_json(json);
 }
 
-// A name without extension stands for a set of Triangle's files.
-std::string output_format(const CommonOptions& options) {
-  const bool is_bare =
-      options.output != "-" && !std::filesystem::path(options.output).has_extension();
-  return options.format.empty() && is_bare ? "triangle" : options.format;
-}
-
 Result<int> run_generate(Arguments& arguments, Session& session) {
   const auto kind = find_kind(arguments);
   if (!kind) return kind.error();
@@ -314,7 +306,7 @@ Result<int> run_generate(Arguments& arguments, Session& session) {
   const auto geometry = (*kind)->make({arguments, session});
   if (!geometry) return geometry.error();
   const Status written = write_geometry(session.outputs(), session.options().output,
-                                        output_format(session.options()), *geometry);
+                                        session.options().format, *geometry);
   if (!written) return written.error();
   if (Status status = write_summary((*kind)->name, *geometry, session); !status)
     return status.error();

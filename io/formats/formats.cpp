@@ -216,11 +216,11 @@ const Format* find_by_name(std::string_view name) {
   return found == kFormats.end() ? nullptr : &*found;
 }
 
-// ".obj" for "dir/X.OBJ"; empty if there is none.
+// ".obj" for "dir/X.OBJ"; empty if there is none, as in "dir/.X".
 std::string lower_extension_of(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
+  const std::size_t name = path.find_last_of('/') + 1;
   const std::size_t dot = path.find_last_of('.');
-  if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
+  if (dot == std::string::npos || dot <= name) return {};
   std::string extension = path.substr(dot);
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -254,8 +254,11 @@ const Format* find_by_content(std::string_view text) {
   return found == kFormats.end() ? nullptr : &*found;
 }
 
-// What is to be written to `path`, where a name of a format overrules its extension.
+// What is to be written to `path`, where a name of a format overrules its extension: Triangle's
+// files where neither says anything.
 const Format* find_output_format(const std::string& path, const std::string& format_name) {
+  if (format_name.empty() && path != "-" && lower_extension_of(path).empty())
+    return find_by_name("triangle");
   return format_name.empty() ? find_by_extension(path) : find_by_name(format_name);
 }
 

@@ -84,7 +84,8 @@ Pslg to_pslg(Geometry geometry);
 /// The domain that a geometry in space describes; its tetrahedra are left out.
 Pls to_pls(Geometry geometry);
 
-/// Writes to `path` in the format of that name, or of its extension where `format` is empty.
+/// Writes to `path` in the format of that name, or of its extension where `format` is empty, or as
+/// Triangle's files where there is no extension.
 /// Errors: kUsage for a format that does not exist, cannot be written or has no place for the
 /// geometry; kUsage and kLimit as OutputSet::add().
 [[gnu::cold]] Status write_geometry(OutputSet& outputs, const std::string& path,

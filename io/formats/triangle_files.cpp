@@ -158,6 +158,12 @@ bool needs_poly(const Geometry& g) {
          (bounds && g.solid.tets.empty());
 }
 
+// Files of such a set would be hidden: "dir/.node".
+bool names_directory(std::string_view set) {
+  const std::string_view last = set.substr(set.find_last_of('/') + 1);
+  return last.empty() || last == "." || last == "..";
+}
+
 bool is_simple(const Pls::Facet& facet) {
   return facet.polygons.size() == 1 && facet.holes.empty();
 }
@@ -194,6 +200,8 @@ Result<Geometry> read_triangle_file(const std::string& path, std::uint64_t large
 Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geometry& geometry,
                           EmptyFiles empty) {
   const std::string set = triangle_set_name(path);
+  if (names_directory(set))
+    return Error{ErrorCode::kUsage, {path, ": names a folder; name the files in it"}};
   const bool all = empty == EmptyFiles::kWrite;
   const auto add = [&](const char* extension, const auto& write) {
     return outputs.add(concat({set, extension}), [&](TextWriter& out) { write(out, geometry); });

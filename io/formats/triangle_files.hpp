@@ -34,6 +34,7 @@ enum class EmptyFiles { kLeaveOut, kWrite };
 /// Writes the set that `path`, with or without the extension of a file of it, stands for: .node,
 /// .ele, .poly and, if that is the extension, .edge. A mesh in space has .face and .edge for the
 /// .poly, unless it comes with polygons, holes or regions.
+/// Errors: kUsage where `path` names a folder: "dir/", "..".
 [[gnu::cold]] Status write_triangle_set(OutputSet& outputs, const std::string& path,
                                         const Geometry& geometry,
                                         EmptyFiles empty = EmptyFiles::kLeaveOut);

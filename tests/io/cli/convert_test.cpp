@@ -100,6 +100,27 @@ TEST(Convert, RefusesPolygonsInSpaceWhereTheFormatHasNoPlaceForThem) {
   EXPECT_EQ(run_program({"convert", domain, directory / "b.off"}).exit_code, 0);
 }
 
+TEST(Convert, WritesTrianglesFilesWhereTheNameSaysNothing) {
+  const TemporaryDirectory directory;
+  const std::string mesh = write_square(directory);
+  EXPECT_EQ(run_program({"convert", mesh, "-o", directory / "b"}).exit_code, 0);
+  EXPECT_EQ(read_bytes(directory / "b.ele"), kEle);
+}
+
+// They became hidden files: "dir/.node".
+TEST(Convert, RefusesTheNameOfAFolderForASetOfFiles) {
+  const TemporaryDirectory directory;
+  const std::string mesh = write_square(directory);
+  for (const char* name : {"", ".", "..", ".node"}) {
+    const auto run = run_program({"convert", mesh, "-o", directory / name, "--format", "triangle"});
+    EXPECT_EQ(run.exit_code, 2) << name;
+    EXPECT_NE(run.err.find("names a folder"), std::string::npos) << run.err;
+    EXPECT_EQ(run_program({"triangulate", directory / "a.node", "-o", directory / name}).exit_code,
+              2)
+        << name;
+  }
+}
+
 TEST(Convert, PassesDataThroughTheStandardStreams) {
   const auto run = run_program({"convert", "-", "-", "--format", "xyz"}, kNode);
   EXPECT_EQ(run.exit_code, 0) << run.err;
