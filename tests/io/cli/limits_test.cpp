@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/program.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace wellspaced {
 namespace {
@@ -96,8 +97,16 @@ TEST_F(Limits, OfTimeThatPassInReadingAreNamed) {
   EXPECT_NE(run.err.find("raise --time-limit"), run.err.npos) << run.err;
 }
 
+class MemoryLimits : public Limits {
+ protected:
+  void SetUp() override {
+    if (!test::kMemoryCanBeLimited) GTEST_SKIP() << "the sanitizer needs more than the limits";
+    Limits::SetUp();
+  }
+};
+
 // So little that not even one level can be finished: what is finished at a limit is written.
-TEST_F(Limits, OfMemoryEndInGoodOrder) {
+TEST_F(MemoryLimits, EndInGoodOrder) {
   for (const char* megabytes : {"10", "20", "40"}) {
     const ProgramRun run = run_program(
         {"coarsen", grid_, "-o", directory_ / "out/levels", "--max-memory", megabytes, "--quiet"});
@@ -108,7 +117,7 @@ TEST_F(Limits, OfMemoryEndInGoodOrder) {
 }
 
 // With more and more memory: what is written is whole levels, and enough stays enough.
-TEST_F(Limits, OfMemoryLeaveTheLevelsThatWereFinished) {
+TEST_F(MemoryLimits, LeaveTheLevelsThatWereFinished) {
   const std::string small = directory_ / "small";
   ASSERT_EQ(run_program({"generate", "grid", "--nx", "150", "--ny", "150", "-o", small}).exit_code,
             0);
@@ -127,7 +136,7 @@ TEST_F(Limits, OfMemoryLeaveTheLevelsThatWereFinished) {
   EXPECT_TRUE(suffices);
 }
 
-TEST_F(Limits, OfMemoryLeaveTheMeshThatWasPacked) {
+TEST_F(MemoryLimits, LeaveTheMeshThatWasPacked) {
   for (const std::string megabytes : {"10", "14", "20"}) {
     const std::string mesh = directory_ / ("out/mesh" + megabytes);
     const ProgramRun run = run_program(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/support/program.hpp"
+#include "tests/support/sanitizer.hpp"
 #include "wellspaced/kernel/random.hpp"
 
 namespace wellspaced {
@@ -44,8 +45,10 @@ void expect_outcome(const Case& c) {
   SCOPED_TRACE(std::string(c.file) + ": " + c.what);
   const TemporaryDirectory directory;
   const std::string path = directory.write(c.file, c.bytes);
-  const auto run = run_program({"triangulate", path, "-o", directory / "result", "--time-limit",
-                                "30", "--max-memory", "2000"});
+  std::vector<std::string> words = {"triangulate", path, "-o", directory / "result"};
+  words.insert(words.end(), {"--time-limit", "30"});
+  if (test::kMemoryCanBeLimited) words.insert(words.end(), {"--max-memory", "2000"});
+  const auto run = run_program(words);
   EXPECT_EQ(run.exit_code, c.expected) << run.err.substr(0, 300);
   EXPECT_EQ(directory.count_files(), c.expected == kRead ? 4u : 1u);
   if (c.expected == kRead) return;

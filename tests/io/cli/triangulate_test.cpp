@@ -5,6 +5,7 @@
 #include "tests/support/data.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/sanitizer.hpp"
 
 namespace wellspaced {
 namespace {
@@ -19,17 +20,6 @@ constexpr const char* kSquare = "4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n";
 constexpr const char* kFrame =
     "8 2 0 1\n1 0 0 1\n2 9 0 1\n3 9 9 1\n4 0 9 1\n5 3 3 2\n6 6 3 2\n7 6 6 2\n8 3 6 2\n"
     "8 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n5 5 6 2\n6 6 7 2\n7 7 8 2\n8 8 5 2\n0\n";
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kAddressSanitizer = true;
-#else
-constexpr bool kAddressSanitizer = false;
-#endif
 
 // What the command says as JSON.
 class Answer {
@@ -202,7 +192,7 @@ TEST(Triangulate, StopsAtItsTimeLimit) {
 }
 
 TEST(Triangulate, RunsOutOfMemoryInGoodOrder) {
-  if (kAddressSanitizer) GTEST_SKIP() << "the sanitizer needs more memory than the limit";
+  if (!test::kMemoryCanBeLimited) GTEST_SKIP() << "the sanitizer needs more than the limit";
   const TemporaryDirectory directory;
   std::string points;
   for (int i = 0; i < 200000; ++i)
