@@ -81,11 +81,12 @@ typedef enum wellspaced_holes {
 
 /* The constrained Delaunay triangulation in the plane. segments: 2 indices each, segment_markers:
  * one each, or NULL; hole_points: 2 coordinates each. Input points keep their numbers, points at
- * crossings of segments follow. */
+ * crossings of segments follow. holes: one of wellspaced_holes; an int, so that any other value is
+ * refused. */
 WELLSPACED_API wellspaced_status
 wellspaced_triangulate2(wellspaced_context* context, const double* points, size_t point_count,
                         const uint32_t* segments, const int* segment_markers, size_t segment_count,
-                        const double* hole_points, size_t hole_count, wellspaced_holes holes);
+                        const double* hole_points, size_t hole_count, int holes);
 
 /* The Delaunay triangulation in space. */
 WELLSPACED_API wellspaced_status wellspaced_triangulate3(wellspaced_context* context,

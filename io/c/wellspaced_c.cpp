@@ -232,8 +232,7 @@ void wellspaced_set_progress(wellspaced_context* context, wellspaced_progress pr
 wellspaced_status wellspaced_triangulate2(wellspaced_context* context, const double* points,
                                           size_t point_count, const uint32_t* segments,
                                           const int* segment_markers, size_t segment_count,
-                                          const double* hole_points, size_t hole_count,
-                                          wellspaced_holes holes) {
+                                          const double* hole_points, size_t hole_count, int holes) {
   return run_on(context, [&]() -> Status {
     if (Status status = check_counts(point_count, segment_count); !status) return status;
     if (holes < WELLSPACED_HOLES_NONE || holes > WELLSPACED_HOLES_OUTER)

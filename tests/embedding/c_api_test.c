@@ -65,7 +65,7 @@ static void errors_name_what_is_wrong_and_keep_the_mesh(wellspaced_context* cont
                                  WELLSPACED_HOLES_NONE) == WELLSPACED_INVALID_GEOMETRY);
   EXPECT(strstr(wellspaced_message(context), "segment 0") != NULL);
   EXPECT(wellspaced_triangulate2(context, kSquare, 4, NULL, NULL, 0, NULL, 0,
-                                 (wellspaced_holes)9) == WELLSPACED_USAGE);
+                                 9) == WELLSPACED_USAGE);
   EXPECT(wellspaced_read(context, "/does/not/exist.node", NULL) == WELLSPACED_UNREADABLE);
   EXPECT(wellspaced_write(context, "/does/not/exist.vtu", NULL) == WELLSPACED_USAGE);
   EXPECT(wellspaced_select_level(context, 0) == WELLSPACED_USAGE);
