@@ -81,7 +81,7 @@ class DelaunayAudit {
   // Both triangles on an edge may see it under an obtuse angle.
   bool seen_from_twin(Index h) const {
     const Index twin = half_edges_.twin[h];
-    return twin != kNoIndex && twin < h && faces_obtuse(twin);
+    return twin != kNoIndex && faces_obtuse(twin) && twin < h;
   }
 
   // The half-edges opposite obtuse corners, of counter-clockwise triangles.
@@ -93,10 +93,9 @@ class DelaunayAudit {
     for (Index t = 0; t < triangles; ++t) {
       const auto& [i, j, k] = mesh_.triangles[t];
       const int edge = edge_facing_obtuse(mesh_.points[i], mesh_.points[j], mesh_.points[k]);
-      const bool found = (edge < 3) & (orientation_[t] > 0);
-      faces_obtuse_[t] = static_cast<std::uint8_t>(found ? edge : 3);
-      facing_obtuse_[count] = 3 * t + static_cast<Index>(edge);  // without a branch: half have one
-      count += found;
+      faces_obtuse_[t] = static_cast<std::uint8_t>(orientation_[t] > 0 ? edge : 3);
+      facing_obtuse_[count] = 3 * t + faces_obtuse_[t];  // without a branch: half have one
+      count += faces_obtuse_[t] < 3;
     }
     facing_obtuse_.resize(count);
   }

@@ -66,9 +66,10 @@ class IntervalCounts {
   static constexpr std::size_t kCells = std::size_t{1} << 14;
   static std::size_t cell_of(double value) {
     const auto bits = bit_cast<std::int64_t>(value == value ? value + 0.0 : kLowest);
-    const std::int64_t ascending =
-        bits < 0 ? bits ^ std::numeric_limits<std::int64_t>::max() : bits;
-    return static_cast<std::size_t>((ascending >> 50) + static_cast<std::int64_t>(kCells / 2));
+    const std::int64_t other_bits_if_negative =
+        (bits >> 63) & std::numeric_limits<std::int64_t>::max();
+    return static_cast<std::size_t>(((bits ^ other_bits_if_negative) >> 50) +
+                                    static_cast<std::int64_t>(kCells / 2));
   }
   static constexpr double kLowest = -std::numeric_limits<double>::infinity();
 
