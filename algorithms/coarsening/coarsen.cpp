@@ -202,6 +202,7 @@ Level finest_level(TriangleMesh mesh, const Graph& graph, const CoarseningOption
   return level;
 }
 
+// Requires: the arguments have been checked.
 Result<Hierarchy> make_hierarchy(TriangleMesh mesh, const CoarseningOptions& options) {
   bool stopped = false;
   const Progress prepare = [&, nodes = mesh.points.size()](auto, auto, auto) {

@@ -37,7 +37,8 @@ struct DomainTriangulation {
 /// Returns: an edge that passes through a further point appears in pieces. Points outside are in
 ///   no triangle. Fewer than 3 points, or collinear ones: no triangles.
 /// Errors: those of Delaunay2::build; kInvalidGeometry where edges cross (ids: their ends).
-/// along_curve: the point numbers in order along a curve, if the caller has them so; else empty.
+/// along_curve: the point numbers in order along a curve, if the caller has them so; else empty. To
+///   make one for the finest level and hand it down takes longer than to sort each level.
 /// progress: phase "triangulate", where along_curve is empty.
 /// Cost: O(n log n) expected; in practice linear, and without a sort if along_curve is given.
 /// See: section 8.2 step 4, CHOICES 16.
