@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "wellspaced/algorithms/audit/shape_tools.hpp"
 #include "wellspaced/algorithms/audit/vectors.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/quantifiers.hpp"
@@ -103,7 +104,9 @@ void for_each_side(const FacetPolygons& facet, Visit visit) {
 
 // Whether points lie within flatness * extent of a plane of three of them, the first two far from
 // each other and the third far from their line.
-bool is_nearly_flat(const std::vector<Point3>& points, double flatness) {
+bool is_nearly_flat(std::vector<Point3> points, double flatness) {
+  const double scale = scale_of(points);
+  for (Point3& p : points) p = {scale * p.x, scale * p.y, scale * p.z};
   const Vec<3> a = coordinates_of(points[0]);
   Vec<3> along{}, normal{};
   for (const Point3 p : points)
@@ -126,7 +129,7 @@ bool is_flat(const std::vector<Point3>& points, const FacetPolygons& f, const Fa
   for (const FacetPolygons* facet : {&f, &g})
     for (const auto& polygon : *facet)
       for (const Index v : polygon) all.push_back(points[v]);
-  if (flatness > 0) return is_nearly_flat(all, flatness);
+  if (flatness > 0) return is_nearly_flat(std::move(all), flatness);
   const FacetView view(points, f.front());
   for (std::size_t i = 2; i < all.size(); ++i) {
     if (orient2d(view.seen(all[0]), view.seen(all[1]), view.seen(all[i])) == 0) continue;

@@ -11,6 +11,7 @@
 #include "wellspaced/algorithms/audit/box_tree.hpp"
 #include "wellspaced/algorithms/audit/open_facets.hpp"
 #include "wellspaced/algorithms/audit/rounding_box.hpp"
+#include "wellspaced/algorithms/audit/shape_tools.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
@@ -163,11 +164,15 @@ FacetPlane plane_of(const std::vector<Point3>& points, double units, double flat
     plane.unit = {std::max(plane.unit.x, unit.x), std::max(plane.unit.y, unit.y),
                   std::max(plane.unit.z, unit.z)};
   }
+  const double scale = scale_of(points);
+  const auto scaled = [&](Point3 p) { return Point3{scale * p.x, scale * p.y, scale * p.z}; };
+  const Point3 a = scaled(plane.a);
   for (const Point3& p : points)
-    if (distance_sq(plane.a, p) > distance_sq(plane.a, plane.b)) plane.b = p;
+    if (distance_sq(a, scaled(p)) > distance_sq(a, scaled(plane.b))) plane.b = p;
+  const Point3 b = scaled(plane.b);
   for (const Point3& p : points)
-    if (area_sq(plane.a, plane.b, p) > area_sq(plane.a, plane.b, plane.c)) plane.c = p;
-  plane.reach = flatness * std::sqrt(distance_sq(plane.a, plane.b));
+    if (area_sq(a, b, scaled(p)) > area_sq(a, b, scaled(plane.c))) plane.c = p;
+  plane.reach = flatness * std::sqrt(distance_sq(a, b)) / scale;
   const auto holds_all = [&] {
     return all_of(points, [&](Point3 p) { return plane.contains(p); });
   };

@@ -45,6 +45,22 @@ TEST(PolyhedralDomain, IsMetByABox) {
   EXPECT_EQ(report.measure("facet_allowance")->value, 2);
 }
 
+// Areas and volumes of such boxes are no doubles.
+TEST(PolyhedralDomain, IsMetByABoxOfAnyScale) {
+  for (const double unit : {0x1p-1000, 0x1p-500, 0x1p500, 0x1p1000})
+    for (const double flatness : {0.0, 1e-6}) {
+      TetMesh mesh = test::cubes(3, 2, 2, everywhere);
+      for (Point3& p : mesh.points) p = {unit * p.x, unit * p.y, unit * p.z};
+      Pls box;
+      PolyhedralDomain sides;
+      add_box(sides, {0, 0, 0}, {3 * unit, 2 * unit, 2 * unit});
+      box.points = sides.points;
+      for (const auto& facet : sides.facets) box.facets.push_back({facet, {}, 0});
+      EXPECT_TRUE(audit_against(mesh, audit::domain_of(box, flatness)).pass())
+          << unit << ' ' << flatness;
+    }
+}
+
 // A block from one face of which a cavity opens; a facet closes the mouth.
 PolyhedralDomain block_with_open_cavity() {
   PolyhedralDomain domain;
