@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -17,7 +18,9 @@
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
+#include "wellspaced/kernel/box_tree.hpp"
 #include "wellspaced/kernel/check_points.hpp"
+#include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
@@ -27,6 +30,12 @@ constexpr Index kMaxNodes = Index{1} << 28;
 
 // ---- The arguments
 
+// Whether the distance of any two points is a double.
+bool has_lengths(std::span<const Point2> points) {
+  const Box2 box = Box2::around(points);
+  return std::isfinite(distance(box.low, box.high));
+}
+
 Status check_mesh(const TriangleMesh& mesh) {
   const std::size_t nodes = mesh.points.size();
   if (nodes > kMaxNodes) return Error{ErrorCode::kLimit, "more than 2^28 nodes", {}};
@@ -34,6 +43,10 @@ Status check_mesh(const TriangleMesh& mesh) {
     if (!is_finite(mesh.points[v]))
       return Error{
           ErrorCode::kInvalidGeometry, {"node ", v, " has a coordinate that is not finite"}, {v}};
+  if (nodes > 0 && !has_lengths(mesh.points))
+    return Error{ErrorCode::kInvalidGeometry,
+                 "the mesh is wider than the largest double; scale it down",
+                 {}};
   const auto out_of_range = [=](Index v) { return v >= nodes; };
   for (Index t = 0; t < mesh.triangles.size(); ++t)
     if (std::ranges::any_of(mesh.triangles[t], out_of_range))

@@ -52,6 +52,15 @@ TEST(Coarsen, RefusesMeshesThatNameWhatIsNotThere) {
   expect_error(mesh, {}, ErrorCode::kInvalidGeometry, {7});
 }
 
+// Fuzz: lengths, and spacing with them, were infinite.
+TEST(Coarsen, RefusesMeshesWiderThanTheLargestDouble) {
+  TriangleMesh mesh = small_grid();
+  for (Point2& p : mesh.points) p = {0x1p1019 * (p.x - 6), 0x1p1019 * (p.y - 6)};
+  EXPECT_TRUE(coarsen(mesh, {}).ok());
+  for (Point2& p : mesh.points) p = {2 * p.x, 2 * p.y};
+  expect_error(mesh, {}, ErrorCode::kInvalidGeometry, {});
+}
+
 TEST(Coarsen, CompletesTheInput) {
   TriangleMesh mesh = small_grid();
   mesh.segments = {{1, 0, 5}, {20, 21, 6}};
