@@ -15,4 +15,6 @@ Error& Error::operator=(const Error&) = default;
 Error& Error::operator=(Error&&) noexcept = default;
 Error::~Error() = default;
 
+Error cancelled() { return {ErrorCode::kCancelled, "cancelled"}; }
+
 }  // namespace wellspaced

@@ -43,6 +43,9 @@ struct Error {
   [[gnu::cold]] ~Error();
 };
 
+/// What an operation ends with when its caller said stop.
+[[gnu::cold]] Error cancelled();
+
 /// A T, or the Error that says why there is none.
 template <class T>
 class [[nodiscard]] Result {

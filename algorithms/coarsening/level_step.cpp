@@ -20,8 +20,6 @@ namespace {
 
 using Tell = std::function<bool(std::string_view)>;
 
-Error cancelled() { return {ErrorCode::kCancelled, "coarsening was cancelled", {}}; }
-
 // The questions of a part of a phase are those of the phase. Requires: `tell` outlives it.
 Progress within(std::string_view phase, const Tell& tell) {
   return [&tell, phase](auto, auto, auto) { return tell(phase); };

@@ -9,8 +9,6 @@
 namespace wellspaced {
 namespace {
 
-Error run_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
-
 // What the threads of an experiment share. Only the caller's thread tells the listener.
 class RunWatch {
  public:
@@ -44,7 +42,7 @@ Result<RunStatistics> one_run(const MeshOfSeed& mesh_of_seed, const CoarseningOp
   if (!mesh) return mesh.error();
   const auto hierarchy = coarsen(std::move(*mesh), options);
   if (!hierarchy) return hierarchy.error();
-  if (!hierarchy->complete) return run_cancelled();
+  if (!hierarchy->complete) return cancelled();
   return hierarchy_statistics(*hierarchy);
 }
 
@@ -54,7 +52,7 @@ Result<std::vector<RunStatistics>> repeat_coarsening(const MeshOfSeed& mesh_of_s
                                                      const CoarseningOptions& options,
                                                      const RepeatOptions& repeat) {
   RunWatch watch(repeat);
-  std::vector<Result<RunStatistics>> results(repeat.runs, run_cancelled());
+  std::vector<Result<RunStatistics>> results(repeat.runs, cancelled());
   run_parallel(repeat.threads, repeat.runs, [&](unsigned worker, std::size_t i) {
     if (watch.stopped()) return;
     CoarseningOptions run = options;

@@ -69,7 +69,7 @@ Result<TriangleMesh> mesh_at(const CurvedDomain& domain, double scale, Index nod
   auto packed = pack_domain(boundary, options);
   if (!packed && packed.error().code == ErrorCode::kInvalidGeometry) return too_coarse();
   if (!packed) return packed.error();
-  if (packed->was_cancelled) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (packed->was_cancelled) return cancelled();
   if (!packed->is_complete)
     return Error{ErrorCode::kLimit, "the mesh would have more nodes than the limit", {}};
   return std::move(packed->mesh);

@@ -83,7 +83,7 @@ Result<TriangleMesh> generate_grid(const GridOptions& options, const Progress& p
   TriangleMesh mesh;
   mesh.points = lattice(options, meter);
   mesh.triangles = cut_cells(options, meter);
-  if (meter.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (meter.stopped()) return cancelled();
   mesh.segments = boundary(options.nx, options.ny);
   return mesh;
 }

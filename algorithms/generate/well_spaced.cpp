@@ -35,7 +35,7 @@ Result<PackedMesh> set_at_scale(double scale, const WellSpacedOptions& options,
   packing.progress = progress;
   if (options.style == WellSpacedStyle::kTight) packing.placement = BallPlacement::kKissing;
   auto packed = pack_domain(square_domain(), packing);
-  if (packed && packed->was_cancelled) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (packed && packed->was_cancelled) return cancelled();
   return packed;
 }
 

@@ -56,7 +56,7 @@ class Preparer {
 // Tells how many of the parts of run() are done.
 Status Preparer::go_on(std::uint64_t parts) {
   if (parts_.go_on(parts)) return Ok{};
-  return Error{ErrorCode::kCancelled, "the check of the mesh was cancelled", {}};
+  return cancelled();
 }
 
 Status Preparer::check_indices() const {

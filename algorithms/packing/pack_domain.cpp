@@ -210,7 +210,7 @@ Status BoundaryPacking::pack(const BallRadius& radius, ProgressMeter& meter) {
     const std::size_t room =
         options_.max_points - std::min(options_.max_points, boundary_.points.size());
     auto points = pack_segment(part_of(s), asking, room);
-    if (meter.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
+    if (meter.stopped()) return cancelled();
     if (!points && points.error().code != ErrorCode::kLimit)
       return options_.size ? points.error() : no_room_beside(boundary_.segments[s]);
     if (!points || points->size() > room) points = std::vector<Point2>(), is_complete_ = false;

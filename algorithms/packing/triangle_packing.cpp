@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::uint64_t kPiecesAQuestion = 1024;
 
-Error start_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
-
 // Whether p lies inside the circle with diameter ab.
 bool in_diametral_circle(Point2 a, Point2 b, Point2 p) {
   return (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y) < 0;
@@ -52,7 +50,7 @@ Result<TrianglePacking> TrianglePacking::start(const PackedBoundary& boundary,
   if (Status status = packing.insert_pieces(meter); !status) return status.error();
   packing.index_pieces();
   for (const Point2 p : boundary.points) {
-    if (!meter.step()) return start_cancelled();
+    if (!meter.step()) return cancelled();
     packing.radius_.push_back(options.radius(p));
   }
   packing.radius_.resize(points.size());
@@ -62,7 +60,7 @@ Result<TrianglePacking> TrianglePacking::start(const PackedBoundary& boundary,
 
 Status TrianglePacking::insert_pieces(ProgressMeter& meter) {
   for (const BoundaryPiece& piece : boundary_->pieces) {
-    if (!meter.step()) return start_cancelled();
+    if (!meter.step()) return cancelled();
     const auto chain = delaunay_.insert_constraint(piece.a, piece.b);
     if (!chain) return chain.error();
     if (chain->size() != 2)

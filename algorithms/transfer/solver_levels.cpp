@@ -41,10 +41,6 @@ void describe_step(const Level& finer, const Level& coarser, const Transfer& tra
             .max_per_coarse();
 }
 
-Error preparation_cancelled() {
-  return {ErrorCode::kCancelled, "the preparation for a solver was cancelled", {}};
-}
-
 }  // namespace
 
 Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy, const Progress& progress) {
@@ -58,10 +54,10 @@ Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy, const Pro
     solver.transfers.push_back(std::move(*transfer));
   }
   ProgressParts parts(progress, "measure", levels);
-  if (!parts.go_on(0)) return preparation_cancelled();
+  if (!parts.go_on(0)) return cancelled();
   const TriangleMesh& finest = hierarchy.levels[0].mesh;
   const std::vector<OperatorSize> sizes = operator_sizes(finest, solver.transfers, parts.part(0));
-  if (parts.stopped()) return preparation_cancelled();
+  if (parts.stopped()) return cancelled();
   const double area = mesh_area(finest), perimeter = mesh_perimeter(finest);
   double nodes = 0;
   for (std::size_t k = 0; k < levels; ++k) {
@@ -72,7 +68,7 @@ Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy, const Pro
     row.perimeter_kept = part_of(mesh_perimeter(level.mesh), perimeter);
     if (k > 0)
       describe_step(hierarchy.levels[k - 1], level, solver.transfers[k - 1], parts.part(k), row);
-    if (!parts.go_on(k + 1)) return preparation_cancelled();
+    if (!parts.go_on(k + 1)) return cancelled();
     solver.levels.push_back(row);
     nodes += static_cast<double>(level.mesh.points.size());
   }

@@ -273,8 +273,6 @@ class Detours {
   std::optional<LocalSearch> search_;  // few need it
 };
 
-Error transfer_cancelled() { return {ErrorCode::kCancelled, "the transfer was cancelled"}; }
-
 class TransferBuilder {
  public:
   TransferBuilder(const Level& finer, const Level& coarser, const Progress& progress)
@@ -295,7 +293,7 @@ class TransferBuilder {
       if (starts_[v].node != kNoIndex) spread_from(v, v);
     for (std::size_t next = 0; next < waiting_.size() && !meter_.stopped(); ++next)
       spread_from(waiting_[next], static_cast<Index>(starts_.size()));
-    if (meter_.stopped()) return transfer_cancelled();
+    if (meter_.stopped()) return cancelled();
     const auto unreached = std::ranges::find(starts_, kNoIndex, &Start::node);
     if (unreached != starts_.end()) return unreached_node(unreached - starts_.begin());
     assemble();
@@ -450,7 +448,7 @@ Result<Transfer> transfer_between(const Level& finer, const Level& coarser,
     return Error{ErrorCode::kUsage,
                  "there are no transfers between levels that are not nested (from-finest)",
                  {}};
-  if (!report(progress, "transfer", 0, finer.mesh.points.size())) return transfer_cancelled();
+  if (!report(progress, "transfer", 0, finer.mesh.points.size())) return cancelled();
   return TransferBuilder(finer, coarser, progress).build();
 }
 

@@ -202,7 +202,7 @@ Status add_spacing(const Demands& demands, const Mesh& mesh, audit::Report& repo
     kind = demands.is_packing ? audit::SpacingKind::kLocalFeatureSize : audit::SpacingKind::kGiven;
   }
   audit::audit_spacing(mesh, options, report);
-  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled"};
+  if (!report.complete) return cancelled();
   audit::compare_with_theorems(mesh, kind, report);
   return Ok{};
 }
@@ -211,7 +211,7 @@ Status add_spacing(const Demands& demands, const Mesh& mesh, audit::Report& repo
 template <class Mesh>
 Result<audit::Report> finish(audit::Report report, const Mesh& mesh, const Demands& demands,
                              Session& session) {
-  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled"};
+  if (!report.complete) return cancelled();
   if (Status status = add_spacing(demands, mesh, report, session); !status) return status.error();
   if (Status status = apply(demands, report, mesh); !status) return status.error();
   if (Status status = write_picture(demands, mesh, report, session); !status) return status.error();
@@ -297,7 +297,7 @@ Result<audit::Report> audit_directory(const std::string& path, const Demands& de
   audit::HierarchyAuditOptions options = options_for(*input, demands);
   options.progress = session.progress();
   audit::Report report = audit::audit_hierarchy(input->levels, options);
-  if (!report.complete) return Error{ErrorCode::kCancelled, "cancelled"};
+  if (!report.complete) return cancelled();
   if (Status status = apply(demands, report); !status) return status.error();
   return report;
 }

@@ -151,7 +151,7 @@ Result<Geometry> make_points(const GenerateRequest& request, Make make) {
   const Progress progress = request.session.progress();
   auto points = make(progress);
   if (request.arguments.has("--shuffle")) shuffle_points(points, request.seed(), progress);
-  if (request.session.stopped()) return Error{ErrorCode::kCancelled, "cancelled", {}};
+  if (request.session.stopped()) return cancelled();
   return points_geometry(std::move(points));
 }
 

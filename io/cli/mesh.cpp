@@ -215,8 +215,7 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
   if (!packed) return in_file(packed.error(), path);
   run.mesh = meshing.elapsed();
   run.peak_bytes = memory.peak();
-  if (packed->was_cancelled && session.stopped() == StopReason::kInterrupted)
-    return Error{ErrorCode::kCancelled, "cancelled"};
+  if (packed->was_cancelled && session.stopped() == StopReason::kInterrupted) return cancelled();
   for (const std::string& note : packed->notes)
     session.note(concat({display_name(path), ": ", note}));
 

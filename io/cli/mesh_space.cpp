@@ -257,7 +257,7 @@ Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseT
   times.mesh = meshing.elapsed();
   times.peak_bytes = memory.peak();
   if (packed->was_cancelled && session.stopped() == StopReason::kInterrupted)
-    return Error{ErrorCode::kCancelled, "cancelled"};
+    return cancelled();
   for (const std::string& note : packed->notes)
     session.note(concat({display_name(path), ": ", note}));
 

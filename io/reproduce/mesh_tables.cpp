@@ -161,7 +161,7 @@ Result<std::vector<double>> pattern_angles(unsigned levels, const Progress& prog
   options.progress = progress;
   const auto hierarchy = coarsen(std::move(*mesh), options);
   if (!hierarchy) return hierarchy.error();
-  if (!hierarchy->complete) return Error{ErrorCode::kCancelled, "cancelled"};
+  if (!hierarchy->complete) return cancelled();
   std::vector<double> angles;
   for (const Level& level : hierarchy->levels)
     angles.push_back(smallest_angle(angle_statistics(level.mesh)));

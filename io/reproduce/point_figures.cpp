@@ -169,7 +169,7 @@ Result<Exhibit> function_exhibit(Laboratory& laboratory, Exhibit exhibit) {
   options.progress = laboratory.options().progress;
   const auto hierarchy = coarsen(*mesh, options);
   if (!hierarchy) return hierarchy.error();
-  if (hierarchy->levels.size() < 2) return Error{ErrorCode::kCancelled, "cancelled"};
+  if (hierarchy->levels.size() < 2) return cancelled();
   const Graph graph = mesh_graph(*mesh);
   const std::vector<double> f0 = mesh_spacing(graph);
   const std::vector<double> f1 = coarsened_spacing(graph, f0, kBeta * kFactor);

@@ -240,7 +240,7 @@ constexpr std::size_t kDrawnLevels = 4;
 Result<Hierarchy> drawn_hierarchy(Laboratory& laboratory, const PlottedMesh& mesh,
                                   CoarseningMethod method) {
   auto hierarchy = laboratory.first_hierarchy(suite_experiment(std::string(mesh.name), method));
-  if (hierarchy && !hierarchy->complete) return Error{ErrorCode::kCancelled, "cancelled"};
+  if (hierarchy && !hierarchy->complete) return cancelled();
   return hierarchy;
 }
 

@@ -171,7 +171,7 @@ Result<SegmentEdges> ChainBender::run(const std::vector<std::vector<Index>>& cha
   bends_left_ = kBendsPerPiece * waiting_.size();
   ProgressMeter meter(progress, "bend", 0, kBendsAQuestion);
   while (!waiting_.empty()) {
-    if (!meter.step()) return Error{ErrorCode::kCancelled, "cancelled", {}};
+    if (!meter.step()) return cancelled();
     const Piece piece = waiting_.back();
     waiting_.pop_back();
     if (Status status = lay(piece); !status) return status.error();

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::uint64_t kSegmentsAQuestion = 256;
 
-Error network_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
-
 // Which segment a constrained edge is a piece of; with overlaps there are several.
 struct Owner {
   Index low, high;  // the edge's ends
@@ -70,7 +68,7 @@ Result<SegmentNetwork> segment_network(std::span<const Point2> points,
     std::vector<Owner> owners;
     std::vector<Index> refused;
     for (const Index s : waiting) {
-      if (!meter.step()) return network_cancelled();
+      if (!meter.step()) return cancelled();
       Result<std::vector<Index>> path = dt.insert_constraint(segments[s].a, segments[s].b);
       if (!path) {
         refused.push_back(s);
@@ -82,7 +80,7 @@ Result<SegmentNetwork> segment_network(std::span<const Point2> points,
     }
     sort(owners);
     for (const Index s : refused) {
-      if (!meter.step()) return network_cancelled();
+      if (!meter.step()) return cancelled();
       trace(dt, s, segments[s], owners, network.crossings);
     }
     waiting = std::move(refused);

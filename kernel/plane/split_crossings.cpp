@@ -21,8 +21,6 @@ constexpr std::size_t kPointsByChance = std::size_t{1} << 12;
 
 constexpr std::uint64_t kSplitStepsAQuestion = 256;
 
-Error split_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
-
 // A distinct crossing: two of the segments through it, and the doubles it may be rounded to; those
 // that are no input point first. `nearest` and `choice` number candidates.
 struct Node {
@@ -167,7 +165,7 @@ Status Splitter::find_candidates() {
   const Result<Delaunay2> bare = triangulation_of(points_);
   if (!bare) return bare.error();
   for (std::size_t k = 0; k < node_of_.size(); ++k) {
-    if (!meter_.step()) return split_cancelled();
+    if (!meter_.step()) return cancelled();
     Node& node = nodes_[node_of_[k]];
     if (node.candidates.empty()) set_candidates(node, crossing(network_.crossings[k]), *bare);
   }
@@ -200,7 +198,7 @@ Result<SplitGraph> Splitter::attempt(std::vector<Misfits>& conflicts) {
   for (const std::vector<Index>& chain : chains_) {
     auto& edges = split.edges.emplace_back();
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-      if (!meter_.step()) return conflicts.clear(), split_cancelled();
+      if (!meter_.step()) return conflicts.clear(), cancelled();
       const Result<std::vector<Index>> path =
           split.delaunay.insert_constraint(chain[i], chain[i + 1]);
       if (!path) {
@@ -309,7 +307,7 @@ Result<SplitGraph> Splitter::snap() {
 
 Result<SplitGraph> Splitter::run() {
   number_nodes();
-  if (meter_.stopped()) return split_cancelled();
+  if (meter_.stopped()) return cancelled();
   chain_segments();
   if (Status status = find_candidates(); !status) return status.error();
   std::vector<Misfits> conflicts;

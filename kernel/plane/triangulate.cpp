@@ -16,8 +16,6 @@ using Edge = Triangulation2::Edge;
 
 constexpr Index kSegmentsAReport = 1 << 10;
 
-Error triangulate_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
-
 Status check_segments(const Pslg& graph) {
   std::vector<Index> bad;
   for (Index s = 0; s < graph.segments.size(); ++s)
@@ -78,8 +76,7 @@ Result<bool> insert_segments(const Pslg& graph, const Progress& progress,
                              PlanarTriangulation& result) {
   const auto count = static_cast<Index>(graph.segments.size());
   for (Index i = 0; i < count; ++i) {
-    if (i % kSegmentsAReport == 0 && !report(progress, "constrain", i, count))
-      return triangulate_cancelled();
+    if (i % kSegmentsAReport == 0 && !report(progress, "constrain", i, count)) return cancelled();
     const Segment& s = graph.segments[i];
     const Result<std::vector<Index>> chain = result.delaunay.insert_constraint(s.a, s.b);
     if (!chain) return false;
@@ -207,7 +204,7 @@ Result<PlanarTriangulation> triangulate(const Pslg& graph, const TriangulateOpti
     if (!resolved) return resolved.error();
   }
   sort_out_repeated(result.segments);
-  if (!report(options.progress, "domain", 0, 0)) return triangulate_cancelled();
+  if (!report(options.progress, "domain", 0, 0)) return cancelled();
   result.in_domain = find_domain(result.delaunay, graph, options.holes);
   return result;
 }

@@ -18,8 +18,6 @@ constexpr Index kTetsAPoint = 7;
 // So many points of a region are tried to find a tet of it.
 constexpr Index kMaxStarts = 64;
 
-Error triangulation_cancelled() { return {ErrorCode::kCancelled, "triangulation cancelled", {}}; }
-
 }  // namespace
 
 // The numbers that the new tets of a region get.
@@ -88,7 +86,7 @@ Status BulkInsertion3::run_round(Index begin, std::span<const Index> ends) {
   }
   for (Index v = begin; v < end; ++v)
     if (Status s = insert(v); !s) return s;
-  return advance(0, Speaker::kCaller) ? Status{Ok{}} : triangulation_cancelled();
+  return advance(0, Speaker::kCaller) ? Status{Ok{}} : cancelled();
 }
 
 void BulkInsertion3::note_regions(Index begin, std::span<const Index> ends) {
@@ -111,8 +109,7 @@ bool BulkInsertion3::advance(Index points, Speaker speaker) {
 }
 
 Status BulkInsertion3::insert(Index v) {
-  if (v % kReportEvery == 0 && !advance(kReportEvery, Speaker::kCaller))
-    return triangulation_cancelled();
+  if (v % kReportEvery == 0 && !advance(kReportEvery, Speaker::kCaller)) return cancelled();
   const Point3 p = points_[v];
   const Index t = walk(topology_, points_, p, hint_, [](Index) { return true; });
   const Index twin = vertex_at(topology_, points_, t, p);

@@ -145,7 +145,6 @@ Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& o
   const auto complex = build_complex(domain, options.flatness, options.progress);
   if (!complex) return complex.error();
   ProgressParts check(options.progress, "check", 2);
-  const auto cancelled = [] { return Error{ErrorCode::kCancelled, "cancelled", {}}; };
   const FeatureSize3 features(*complex, check.part(0));
   if (check.stopped()) return cancelled();
   const auto faults =

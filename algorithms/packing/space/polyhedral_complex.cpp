@@ -270,7 +270,7 @@ Result<PolyhedralComplex> build_complex(const Pls& input, double flatness,
   std::vector<Segment> segments = merged->domain.segments;
   for (std::size_t f = 0; f < source.size(); ++f) {
     if (f % kFacetsAQuestion == 0 && !report(progress, "flatten", f, source.size()))
-      return Error{ErrorCode::kCancelled, "cancelled", {}};
+      return cancelled();
     auto facet =
         flatten(merged->domain, static_cast<Index>(f), source[f], origin[f], flatness, edges[f]);
     if (!facet) return facet.error();

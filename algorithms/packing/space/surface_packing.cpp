@@ -26,8 +26,6 @@ Error not_positive_at(Point3 p) {
 
 constexpr std::uint64_t kSurfaceStepsAQuestion = 1024;
 
-Error surface_cancelled() { return {ErrorCode::kCancelled, "cancelled", {}}; }
-
 class SurfacePacking {
  public:
   SurfacePacking(const PolyhedralComplex& complex, const SurfaceOptions& options)
@@ -80,7 +78,7 @@ Status SurfacePacking::pack_one_segment(Index s) {
   const auto place = [&](double along) { return a + (along / whole) * way; };
   const auto radius = [&](Point2 p) { return meter_.step() ? options_.radius(place(p.x)) : 0; };
   const auto points = pack_segment({{0, 0}, {whole, 0}}, radius, room());
-  if (meter_.stopped()) return surface_cancelled();
+  if (meter_.stopped()) return cancelled();
   if (!points) return points.error();
   if (points->size() > room())
     return Error{ErrorCode::kLimit, "the segments need more points than the limit", {}};
@@ -184,7 +182,7 @@ Status SurfacePacking::pack_facet(Index f) {
   const auto packed = pack_interior(boundary, interior);
   if (!packed) return packed.error();
   if (bad_place_) return not_positive_at(*bad_place_);
-  if (packed->was_cancelled) return surface_cancelled();
+  if (packed->was_cancelled) return cancelled();
   if (!packed->is_complete)
     return Error{ErrorCode::kLimit, "the facets need more points than the limit", {}};
   std::vector<Index> number;
