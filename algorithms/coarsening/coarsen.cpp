@@ -1,14 +1,12 @@
 #include "wellspaced/algorithms/coarsening/coarsen.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
-#include <span>
-#include <string>
 #include <utility>
 
 #include "wellspaced/algorithms/coarsening/boundary_description.hpp"
+#include "wellspaced/algorithms/coarsening/coarsening_arguments.hpp"
 #include "wellspaced/algorithms/coarsening/quadtree_sequence.hpp"
 #include "wellspaced/algorithms/coarsening/quality/refinement_sequence.hpp"
 #include "wellspaced/algorithms/coarsening/schemes.hpp"
@@ -18,122 +16,10 @@
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/algorithms/spacing/spacing_function.hpp"
-#include "wellspaced/kernel/box_tree.hpp"
-#include "wellspaced/kernel/check_points.hpp"
-#include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/sort.hpp"
 
 namespace wellspaced {
 namespace {
-
-constexpr Index kMaxNodes = Index{1} << 28;
-
-// ---- The arguments
-
-// Whether the distance of any two points is a double.
-bool has_lengths(std::span<const Point2> points) {
-  const Box2 box = Box2::around(points);
-  return std::isfinite(distance(box.low, box.high));
-}
-
-Status check_mesh(const TriangleMesh& mesh) {
-  const std::size_t nodes = mesh.points.size();
-  if (nodes > kMaxNodes) return Error{ErrorCode::kLimit, "more than 2^28 nodes", {}};
-  for (Index v = 0; v < nodes; ++v)
-    if (!is_finite(mesh.points[v]))
-      return Error{
-          ErrorCode::kInvalidGeometry, {"node ", v, " has a coordinate that is not finite"}, {v}};
-  if (nodes > 0 && !has_lengths(mesh.points))
-    return Error{ErrorCode::kInvalidGeometry,
-                 "the mesh is wider than the largest double; scale it down",
-                 {}};
-  const auto out_of_range = [=](Index v) { return v >= nodes; };
-  for (Index t = 0; t < mesh.triangles.size(); ++t)
-    if (std::ranges::any_of(mesh.triangles[t], out_of_range))
-      return Error{
-          ErrorCode::kInvalidGeometry, {"triangle ", t, " names a node that does not exist"}, {t}};
-  for (Index s = 0; s < mesh.segments.size(); ++s)
-    if (out_of_range(mesh.segments[s].a) || out_of_range(mesh.segments[s].b))
-      return Error{
-          ErrorCode::kInvalidGeometry, {"segment ", s, " names a node that does not exist"}, {s}};
-  return Ok{};
-}
-
-Error usage(std::string message) { return {ErrorCode::kUsage, std::move(message), {}}; }
-
-Status check_values(const std::string& name, const std::optional<std::vector<double>>& values,
-                    std::size_t nodes) {
-  if (!values) return Ok{};
-  if (values->size() != nodes)
-    return usage(concat(
-        {"there must be one ", name, " for each of the ", nodes, " nodes, not ", values->size()}));
-  for (Index v = 0; v < nodes; ++v)
-    if (!std::isfinite((*values)[v]))
-      return Error{ErrorCode::kUsage, {"the ", name, " of node ", v, " is not finite"}, {v}};
-  return Ok{};
-}
-
-Status check_refinement(const CoarseningOptions& options, std::size_t nodes) {
-  if (options.method != CoarseningMethod::kRefinement) {
-    if (options.targets.empty()) return Ok{};
-    return usage("the sizes of levels can be given to refinement alone (--profile quality)");
-  }
-  if (options.scheme != CoarseningScheme::kCoarseToFine ||
-      options.metric != SpacingMetric::kGraph || options.limit_by_boundary ||
-      options.limit_by_special_points || options.keep_boundary || options.priority)
-    return usage(
-        "levels by refinement are made coarse to fine, in the graph metric, in an order of their "
-        "own, without regard to the boundary's feature size or the area");
-  if (!(options.ratio > 1) || !std::isfinite(options.ratio))
-    return usage("the ratio of the levels' nodes must be a finite number greater than 1");
-  if (!(options.angle_deg > 0) || !(options.angle_deg <= 30))
-    return usage("the angle must be more than 0 and at most 30 degrees");
-  for (const std::size_t target : options.targets)
-    if (target == 0 || target >= nodes)
-      return usage(concat({"a level must have at least 1 node and less than the input's ", nodes,
-                           ", not ", target}));
-  return Ok{};
-}
-
-Status check_options(const CoarseningOptions& options, std::size_t nodes) {
-  if (!(options.beta > 1) || !std::isfinite(options.beta))
-    return usage("beta must be a finite number greater than 1");
-  if (!(options.factor > 1) || !std::isfinite(options.factor))
-    return usage("the coarsening factor must be a finite number greater than 1");
-  if (options.protect && !(*options.protect >= 0 && std::isfinite(*options.protect)))
-    return usage("the protection ratio must be a finite number, 0 or more");
-  if (options.keep_boundary && !(*options.keep_boundary >= 0))
-    return usage("the drift of the boundary must be a number, 0 or more");
-  if (options.method == CoarseningMethod::kMis && options.scheme != CoarseningScheme::kFineToCoarse)
-    return usage("MIS-based levels are selected from the level before: fine to coarse alone");
-  if (options.method == CoarseningMethod::kMis && options.limit_by_special_points)
-    return usage("MIS-based levels have no spacing that special points could limit");
-  if (options.method == CoarseningMethod::kQuadtree &&
-      (options.scheme != CoarseningScheme::kCoarseToFine ||
-       options.metric != SpacingMetric::kEuclidean || options.limit_by_boundary ||
-       options.order != SelectionOrder::kRandom))
-    return usage(
-        "levels by quadtree are selected coarse to fine, in the Euclidean metric and the tree's "
-        "order, without regard to the boundary's local feature size");
-  if (Status status = check_refinement(options, nodes); !status) return status;
-  if (Status status = check_values("spacing", options.spacing, nodes); !status) return status;
-  if (Status status = check_values("priority", options.priority, nodes); !status) return status;
-  if (options.spacing)
-    for (Index v = 0; v < nodes; ++v)
-      if (!((*options.spacing)[v] > 0))
-        return Error{
-            ErrorCode::kUsage, {"the spacing of node ", v, " must be greater than 0"}, {v}};
-  if (!options.fixed) return Ok{};
-  for (const Index v : *options.fixed)
-    if (v >= nodes)
-      return Error{
-          ErrorCode::kUsage,
-          {"fixed point ", v, " is out of range: the mesh has ", nodes, " nodes, numbered from 0"},
-          {v}};
-  return Ok{};
-}
-
-// ---- Level 0
 
 // The boundary edges that no segment names, after those that are.
 void complete_segments(TriangleMesh& mesh, const Boundary& boundary) {
@@ -222,16 +108,13 @@ Result<Hierarchy> make_hierarchy(TriangleMesh mesh, const CoarseningOptions& opt
     stopped = stopped || !report(options.progress, "prepare", 0, nodes);
     return !stopped;
   };
-  const auto go_on = [&]() -> Status {
-    if (report(prepare, "prepare", 0, 0)) return Ok{};
-    return Error{ErrorCode::kCancelled, "coarsening was cancelled", {}};
-  };
-  if (const Status status = go_on(); !status) return status.error();
+  const auto go_on = [&] { return report(prepare, "prepare", 0, 0); };
+  if (!go_on()) return cancelled();
   Skeleton skeleton = uses_graph(options) ? skeleton_of(mesh) : skeleton_without_graph(mesh);
-  if (const Status status = go_on(); !status) return status.error();
+  if (!go_on()) return cancelled();
   mesh.fixed = special_points(mesh, skeleton, options);
   complete_segments(mesh, skeleton.boundary);
-  if (const Status status = go_on(); !status) return status.error();
+  if (!go_on()) return cancelled();
   if (options.method == CoarseningMethod::kQuadtree) {
     Level finest = finest_level(std::move(mesh), skeleton.graph, options, prepare);
     Boundary boundary = std::move(skeleton.boundary);
@@ -240,9 +123,9 @@ Result<Hierarchy> make_hierarchy(TriangleMesh mesh, const CoarseningOptions& opt
   }
   const auto limit = spacing_limit(mesh, options, prepare);
   if (!limit) return limit.error();
-  if (const Status status = go_on(); !status) return status.error();
+  if (!go_on()) return cancelled();
   Level finest = finest_level(std::move(mesh), skeleton.graph, options, prepare);
-  if (const Status status = go_on(); !status) return status.error();
+  if (!go_on()) return cancelled();
   if (options.method == CoarseningMethod::kRefinement)
     return coarsen_by_refinement(std::move(finest), skeleton, options);
   return build_levels(std::move(finest), std::move(skeleton), *limit, options);
@@ -284,8 +167,8 @@ CoarseningOptions theorem_options(CoarseningMethod method) {
 }
 
 Result<Hierarchy> coarsen(TriangleMesh mesh, const CoarseningOptions& options) {
-  if (const Status status = check_mesh(mesh); !status) return status.error();
-  if (const Status status = check_options(options, mesh.points.size()); !status)
+  if (const Status status = check_coarsening_mesh(mesh); !status) return status.error();
+  if (const Status status = check_coarsening_options(options, mesh.points.size()); !status)
     return status.error();
 
   const std::size_t nodes = mesh.points.size();

@@ -7,28 +7,26 @@
 namespace wellspaced {
 namespace {
 
-// Whether a point that is near enough to the edge's line is in its zone.
-bool is_abreast(const MeasuredEdge& edge, Point2 p, ProtectiveZone::Shape shape) {
-  return shape == ProtectiveZone::Shape::kLens ? edge.has_in_diametral_circle(p)
-                                               : edge.has_between_perpendiculars(p);
+bool is_in_zone(const MeasuredEdge& edge, Point2 p, const ProtectiveZone& zone) {
+  const bool is_abreast = zone.shape == ProtectiveZone::Shape::kLens
+                              ? edge.has_in_diametral_circle(p)
+                              : edge.has_between_perpendiculars(p);
+  return is_abreast && edge.distance_of_line_from(p) < zone.ratio * edge.length;
 }
 
 }  // namespace
 
-void protect_edges(LocalSearch& search, std::span<const Point2> points,
-                   std::span<const ContractedEdge> edges, std::span<const std::uint8_t> on_boundary,
-                   const ProtectiveZone& zone, NodeSelection& selection, const Progress& progress) {
+void protect_edges(const ProtectedEdges& around, LocalSearch& search, NodeSelection& selection,
+                   const Progress& progress) {
   ProgressMeter meter(progress, "boundary", 0);
-  for (const ContractedEdge& edge : edges) {
-    const MeasuredEdge measured{points[edge.a], points[edge.b]};
+  for (const ContractedEdge& edge : around.edges) {
+    const MeasuredEdge measured{around.points[edge.a], around.points[edge.b]};
     const auto reached = search.run(std::array{edge.a, edge.b},
                                     [&](Index, double d) { return d <= measured.length; });
     if (!meter.step(reached.size())) return;
-    for (const Index v : reached) {
-      const bool close = is_abreast(measured, points[v], zone.shape) &&
-                         measured.distance_of_line_from(points[v]) < zone.ratio * measured.length;
-      if (close && !on_boundary[v]) selection.invalidate(v);
-    }
+    for (const Index v : reached)
+      if (!around.on_boundary[v] && is_in_zone(measured, around.points[v], around.zone))
+        selection.invalidate(v);
   }
 }
 

@@ -25,17 +25,23 @@ struct ProtectiveZone {
   double ratio = 0.2;
 };
 
+/// The edges to protect. points, on_boundary: one a node of the mesh; boundary nodes are exempt.
+struct ProtectedEdges {
+  std::span<const Point2> points;
+  std::span<const std::uint8_t> on_boundary;
+  std::span<const ContractedEdge> edges;
+  ProtectiveZone zone = {};
+};
+
 /// Makes invalid the free interior nodes that lie in the protective zone of an edge. They are
 /// sought by a graph search from both ends, up to graph distance |edge|, so that a zone ends where
 /// the boundary cuts it off: a straight line to the nearer end is at most sqrt(1/4 + ratio^2)
 /// |edge| long, and a path through the mesh not much longer.
-/// search: in the mesh's graph. on_boundary: one flag a node; boundary nodes are exempt.
+/// search: in the mesh's graph.
 /// progress: phase "boundary", in nodes looked at.
 /// Cost: linear in the nodes within reach of the edges.
 /// See: section 7.4.1, Figures 7.8 and 7.10 step 4; CHOICES 9 and 17.
-void protect_edges(LocalSearch& search, std::span<const Point2> points,
-                   std::span<const ContractedEdge> edges, std::span<const std::uint8_t> on_boundary,
-                   const ProtectiveZone& zone, NodeSelection& selection,
+void protect_edges(const ProtectedEdges& around, LocalSearch& search, NodeSelection& selection,
                    const Progress& progress = {});
 
 /// Counts the nodes that each node of the new boundary inspects to protect its edges: it searches

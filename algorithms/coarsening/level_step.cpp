@@ -131,65 +131,125 @@ std::vector<std::uint64_t> order_keys(const Level& finer, std::span<const double
                                              : std::vector<double>(f.begin(), f.end()));
 }
 
+// ONE_LEVEL_COARSEN on its way from phase to phase.
+class LevelStep {
+ public:
+  LevelStep(const SourceMesh& source, const StepRequest& request, const CoarseningOptions& options,
+            const Tell& tell)
+      : source_(source),
+        request_(request),
+        options_(options),
+        tell_(tell),
+        boundary_(source.skeleton.boundary),
+        points_(source.level.mesh.points),
+        search_(source.skeleton.graph) {}
+
+  Result<CoarseningStep> run();
+
+ private:
+  // Each returns false when told to stop.
+  bool coarsen_spacing();
+  bool select_boundary(NodeSelection& selection);
+  bool select_interior(const ContractedBoundary& contracted, NodeSelection& selection);
+
+  ContractedBoundary contract(NodeSelection& selection);
+  void protect(std::span<const ContractedEdge> edges, NodeSelection& selection);
+  Result<CoarseningStep> triangulate(std::vector<Index> selected,
+                                     std::span<const ContractedEdge> edges);
+
+  const SourceMesh& source_;
+  const StepRequest& request_;
+  const CoarseningOptions& options_;
+  const Tell& tell_;
+  const Boundary& boundary_;
+  std::span<const Point2> points_;
+  LocalSearch search_;
+  std::vector<double> f_;  // the coarsened spacing; none where it is MIS-based
+  std::vector<std::uint64_t> keys_;
+  CoarseningWork work_;
+  std::size_t reinstated_ = 0, dropped_outside_ = 0;
+};
+
+bool LevelStep::coarsen_spacing() {
+  if (!is_mis_based(options_))
+    f_ = coarsened(source_, request_.factor, options_, within("spacing", tell_));
+  if (!tell_("spacing")) return false;
+  if (counts_paths(options_))
+    measure_paths(source_.skeleton.graph, source_.level.spacing, request_.factor, f_, work_);
+  return true;
+}
+
+// Special points whatever they conflict with, then the boundary, a maximal set.
+bool LevelStep::select_boundary(NodeSelection& selection) {
+  const NodeSelection::KeepGoing keep_going = [&] { return tell_("boundary"); };
+  return selection.force(source_.level.mesh.fixed, keep_going) &&
+         selection.force(request_.forced, keep_going) &&
+         selection.select(boundary_.nodes, keys_, keep_going);
+}
+
+ContractedBoundary LevelStep::contract(NodeSelection& selection) {
+  const std::size_t chosen = selection.selected().size();
+  ContractedBoundary contracted = contract_and_repair(boundary_, points_, selection, request_.areas,
+                                                      [&] { return tell_("boundary"); });
+  reinstated_ = selection.selected().size() - chosen;
+  return contracted;
+}
+
+void LevelStep::protect(std::span<const ContractedEdge> edges, NodeSelection& selection) {
+  const Progress progress = within("boundary", tell_);
+  if (options_.count_work) work_.edge_protection = inspect_edges(search_, points_, edges, progress);
+  protect_edges({points_, boundary_.on_boundary, edges, zone_of(options_)}, search_, selection,
+                progress);
+}
+
+bool LevelStep::select_interior(const ContractedBoundary& contracted, NodeSelection& selection) {
+  const std::vector<Index> interior = interior_nodes(boundary_);
+  dropped_outside_ =
+      drop_nodes_outside(contracted, points_, interior, within("select", tell_), selection);
+  return selection.select(interior, keys_, [&] { return tell_("select"); });
+}
+
+Result<CoarseningStep> LevelStep::triangulate(std::vector<Index> selected,
+                                              std::span<const ContractedEdge> edges) {
+  const std::vector<Index> number = numbering(selected, points_.size());
+  CoarseningStep step{inherit(source_.level, std::move(selected), number), std::nullopt};
+  if (options_.count_work) step.work = work_;
+  Level& level = step.level;
+  level.reinstated = reinstated_;
+  level.dropped_outside = dropped_outside_;
+  auto triangulation =
+      triangulate_domain(level.mesh.points, constrained_edges(boundary_, edges, number), {},
+                         within("triangulate", tell_));
+  if (!triangulation) return triangulation.error();
+  level.mesh.triangles = std::move(triangulation->triangles);
+  level.mesh.segments = std::move(triangulation->segments);
+  level.spacing = is_mis_based(options_) ? mesh_spacing(level.mesh) : restricted(f_, level.parent);
+  return step;
+}
+
+Result<CoarseningStep> LevelStep::run() {
+  if (!tell_("spacing") || !coarsen_spacing()) return cancelled();
+
+  if (!tell_("boundary")) return cancelled();
+  keys_ = order_keys(source_.level, f_, request_.level, options_);
+  NodeSelection selection(static_cast<Index>(points_.size()), boundary_.twins,
+                          conflict_rule(source_, search_, f_, options_),
+                          search_counter(search_, f_, options_, work_.selection));
+  if (!select_boundary(selection)) return cancelled();
+  const ContractedBoundary contracted = contract(selection);
+  protect(contracted.edges(), selection);
+
+  if (!tell_("select") || !select_interior(contracted, selection)) return cancelled();
+
+  if (!tell_("triangulate")) return cancelled();
+  return triangulate(selection.selected(), contracted.edges());
+}
+
 }  // namespace
 
 Result<CoarseningStep> coarsen_level(const SourceMesh& source, const StepRequest& request,
                                      const CoarseningOptions& options, const Tell& tell) {
-  if (!tell("spacing")) return cancelled();
-  const Level& finer = source.level;
-  const std::span<const Point2> points = finer.mesh.points;
-  const Graph& graph = source.skeleton.graph;
-  const Boundary& boundary = source.skeleton.boundary;
-  CoarseningWork work;
-  std::vector<double> f;
-  if (!is_mis_based(options))
-    f = coarsened(source, request.factor, options, within("spacing", tell));
-  if (!tell("spacing")) return cancelled();
-  if (counts_paths(options)) measure_paths(graph, finer.spacing, request.factor, f, work);
-
-  if (!tell("boundary")) return cancelled();
-  const std::vector<std::uint64_t> keys = order_keys(finer, f, request.level, options);
-  LocalSearch search(graph);
-  NodeSelection selection(graph.nodes(), boundary.twins, conflict_rule(source, search, f, options),
-                          search_counter(search, f, options, work.selection));
-  const NodeSelection::KeepGoing keep_going = [&] { return tell("boundary"); };
-  if (!selection.force(finer.mesh.fixed, keep_going)) return cancelled();
-  if (!selection.force(request.forced, keep_going)) return cancelled();
-  if (!selection.select(boundary.nodes, keys, keep_going)) return cancelled();
-  const std::size_t chosen = selection.selected().size();
-  const ContractedBoundary contracted =
-      contract_and_repair(boundary, points, selection, request.areas, keep_going);
-  const std::size_t reinstated = selection.selected().size() - chosen;
-  const ProtectiveZone zone = zone_of(options);
-  if (options.count_work)
-    work.edge_protection =
-        inspect_edges(search, points, contracted.edges(), within("boundary", tell));
-  protect_edges(search, points, contracted.edges(), boundary.on_boundary, zone, selection,
-                within("boundary", tell));
-
-  if (!tell("select")) return cancelled();
-  const std::vector<Index> interior = interior_nodes(boundary);
-  const std::size_t dropped =
-      drop_nodes_outside(contracted, points, interior, within("select", tell), selection);
-  if (!selection.select(interior, keys, [&] { return tell("select"); })) return cancelled();
-
-  if (!tell("triangulate")) return cancelled();
-  std::vector<Index> parent = selection.selected();
-  const std::vector<Index> number = numbering(parent, graph.nodes());
-  CoarseningStep step{inherit(finer, std::move(parent), number), std::nullopt};
-  if (options.count_work) step.work = work;
-  step.level.reinstated = reinstated;
-  step.level.dropped_outside = dropped;
-
-  auto triangulation = triangulate_domain(step.level.mesh.points,
-                                          constrained_edges(boundary, contracted.edges(), number),
-                                          {}, within("triangulate", tell));
-  if (!triangulation) return triangulation.error();
-  step.level.mesh.triangles = std::move(triangulation->triangles);
-  step.level.mesh.segments = std::move(triangulation->segments);
-  step.level.spacing = is_mis_based(options) ? mesh_spacing(mesh_graph(step.level.mesh))
-                                             : restricted(f, step.level.parent);
-  return step;
+  return LevelStep(source, request, options, tell).run();
 }
 
 }  // namespace wellspaced

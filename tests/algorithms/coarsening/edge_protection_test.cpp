@@ -31,6 +31,9 @@ struct Protected {
       for (std::size_t i = 0; i < curve.nodes.size(); i += stride) survives[curve.nodes[i]] = 1;
     edges = contract_boundary(boundary, mesh.points, survives);
   }
+  ProtectedEdges with(const ProtectiveZone& zone) const {
+    return {mesh.points, boundary.on_boundary, edges, zone};
+  }
   bool lies_too_close(Index v, double ratio) const {
     const Point2 p = mesh.points[v];
     for (const ContractedEdge& edge : edges) {
@@ -49,8 +52,7 @@ TEST(ProtectEdges, MakesInvalidExactlyTheInteriorNodesInTheZones) {
     for (const double ratio : {0.0, 0.15, 0.2, 0.5}) {
       const TriangleMesh grid = test::grid_mesh({.nx = 20, .ny = 20, .hole = 0.02, .seed = seed});
       Protected domain(grid, 5);
-      protect_edges(domain.search, domain.mesh.points, domain.edges, domain.boundary.on_boundary,
-                    {.ratio = ratio}, domain.selection);
+      protect_edges(domain.with({.ratio = ratio}), domain.search, domain.selection);
       for (Index v = 0; v < domain.graph.nodes(); ++v) {
         const bool expected = !domain.boundary.on_boundary[v] && domain.lies_too_close(v, ratio);
         EXPECT_EQ(!domain.selection.is_free(v), expected) << "node " << v << ", seed " << seed;
@@ -61,8 +63,7 @@ TEST(ProtectEdges, MakesInvalidExactlyTheInteriorNodesInTheZones) {
 TEST(ProtectEdges, ExemptsSelectedNodes) {
   Protected domain(test::grid_mesh({.nx = 20, .ny = 20, .jitter = 0}), 20);
   domain.selection.force(std::vector<Index>{31});  // (10, 1), above the middle of the lower edge
-  protect_edges(domain.search, domain.mesh.points, domain.edges, domain.boundary.on_boundary,
-                {.ratio = 0.2}, domain.selection);
+  protect_edges(domain.with({.ratio = 0.2}), domain.search, domain.selection);
   EXPECT_TRUE(domain.selection.is_selected(31));
   EXPECT_FALSE(domain.selection.is_free(32));
 }
