@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "wellspaced/algorithms/packing/boundary_packing.hpp"
 #include "wellspaced/algorithms/spacing/euclidean_spacing.hpp"
 #include "wellspaced/algorithms/spacing/local_feature_size.hpp"
 #include "wellspaced/algorithms/spacing/nearest_neighbor.hpp"
@@ -18,8 +19,6 @@
 
 namespace wellspaced {
 namespace {
-
-constexpr double kCosineOf30Degrees = 0.86602540378443864676;
 
 std::string counted(std::size_t count, const std::string& thing) {
   return concat({count, " ", thing, count == 1 ? "" : "s"});
@@ -102,129 +101,6 @@ void describe_repetitions(const Pslg& domain, const PlanarTriangulation& graph,
   const auto first_repeated = std::unique(ends.begin(), ends.end());
   const auto repeated = static_cast<std::size_t>(ends.end() - first_repeated);
   if (repeated > 0) notes.push_back(concat({counted(repeated, "segment"), " repeat others"}));
-}
-
-Error no_room_beside(const Segment& s) {
-  return {ErrorCode::kInvalidGeometry,
-          {"the local feature size vanishes between points ", s.a, " and ", s.b,
-           ": features of the domain are closer there than doubles can tell apart"},
-          {s.a, s.b}};
-}
-
-// ---- Boundary ------------------------------------------------------------------------------
-
-// The boundary while it is packed: vertices, then shells, then segments.
-class BoundaryPacking {
- public:
-  BoundaryPacking(const PlanarTriangulation& graph, const PackingOptions& options)
-      : options_(options) {
-    boundary_.points = graph.delaunay.points();
-    boundary_.segments = graph.segments;
-    parts_.resize(graph.segments.size());
-    shell_.resize(graph.segments.size(), {kNoIndex, kNoIndex});
-  }
-
-  void cut_corners(const std::vector<Corner>& corners, const LocalFeatureSize& lfs);
-  // What is left of the domain, whose local feature size the balls follow.
-  Pslg lopped() const;
-  Status pack(const BallRadius& radius, ProgressMeter& meter);
-  const PackedBoundary& boundary() const { return boundary_; }
-  // Whether no segment needed more points than the limit allows.
-  bool is_complete() const { return is_complete_; }
-
- private:
-  Index put_shell(Index apex, Index neighbour, double reach);
-  Index segment_between(Index a, Index b) const;
-  SegmentPart part_of(Index s) const {
-    const Segment& segment = boundary_.segments[s];
-    return {boundary_.points[segment.a], boundary_.points[segment.b], parts_[s][0], parts_[s][1]};
-  }
-
-  const PackingOptions& options_;
-  PackedBoundary boundary_;
-  // For each segment what is left between its shells, as fractions, and the points there.
-  struct Fractions {
-    double from = 0, to = 1;
-    double operator[](int end) const { return end == 0 ? from : to; }
-  };
-  std::vector<Fractions> parts_;
-  std::vector<std::array<Index, 2>> shell_;
-  bool is_complete_ = true;
-};
-
-Index BoundaryPacking::segment_between(Index a, Index b) const {
-  const auto [low, high] = std::minmax(a, b);
-  const auto found = std::partition_point(
-      boundary_.segments.begin(), boundary_.segments.end(),
-      [&, l = low, h = high](const Segment& s) { return s.a < l || (s.a == l && s.b < h); });
-  return static_cast<Index>(found - boundary_.segments.begin());
-}
-
-// The point at which the shell of radius `reach` around the apex meets the segment to `neighbour`.
-Index BoundaryPacking::put_shell(Index apex, Index neighbour, double reach) {
-  const Index s = segment_between(apex, neighbour);
-  const Segment& segment = boundary_.segments[s];
-  const int end = segment.a == apex ? 0 : 1;
-  if (shell_[s][end] != kNoIndex) return shell_[s][end];
-  const double fraction =
-      reach / distance(boundary_.points[segment.a], boundary_.points[segment.b]);
-  (end == 0 ? parts_[s].from : parts_[s].to) = end == 0 ? fraction : 1 - fraction;
-  shell_[s][end] = static_cast<Index>(boundary_.points.size());
-  boundary_.points.push_back(part_of(s).at(parts_[s][end]));
-  boundary_.pieces.push_back({apex, shell_[s][end], s, true});
-  return shell_[s][end];
-}
-
-// The radius of a shell is half the distance to the nearest feature that does not touch the apex,
-// or less where the size is small.
-void BoundaryPacking::cut_corners(const std::vector<Corner>& corners, const LocalFeatureSize& lfs) {
-  for (const Corner& corner : corners) {
-    if (boundary_.sharp.empty() || boundary_.sharp.back() != corner.apex)
-      boundary_.sharp.push_back(corner.apex);
-    if (corner.cosine <= kCosineOf30Degrees) continue;
-    const Point2 apex = boundary_.points[corner.apex];
-    double reach = lfs.at(apex) / 2;
-    if (options_.size) reach = std::min(reach, options_.size(apex));
-    const Index right = put_shell(corner.apex, corner.right, reach);
-    const Index left = put_shell(corner.apex, corner.left, reach);
-    boundary_.pieces.push_back({right, left, kNoIndex, true});
-  }
-}
-
-Pslg BoundaryPacking::lopped() const {
-  Pslg graph;
-  graph.points = boundary_.points;
-  for (const BoundaryPiece& piece : boundary_.pieces) graph.segments.push_back({piece.a, piece.b});
-  for (Index s = 0; s < parts_.size(); ++s) {
-    const Segment& segment = boundary_.segments[s];
-    graph.segments.push_back({shell_[s][0] != kNoIndex ? shell_[s][0] : segment.a,
-                              shell_[s][1] != kNoIndex ? shell_[s][1] : segment.b});
-  }
-  return graph;
-}
-
-// A radius that is none ends the packing of a segment.
-Status BoundaryPacking::pack(const BallRadius& radius, ProgressMeter& meter) {
-  const BallRadius asking = [&](Point2 p) { return meter.step() ? radius(p) : 0; };
-  for (Index s = 0; s < parts_.size(); ++s) {
-    const std::size_t room =
-        options_.max_points - std::min(options_.max_points, boundary_.points.size());
-    auto points = pack_segment(part_of(s), asking, room);
-    if (meter.stopped()) return cancelled();
-    if (!points && points.error().code != ErrorCode::kLimit)
-      return options_.size ? points.error() : no_room_beside(boundary_.segments[s]);
-    if (!points || points->size() > room) points = std::vector<Point2>(), is_complete_ = false;
-    const Segment& segment = boundary_.segments[s];
-    Index last = shell_[s][0] != kNoIndex ? shell_[s][0] : segment.a;
-    for (const Point2 p : *points) {
-      const Index next = static_cast<Index>(boundary_.points.size());
-      boundary_.points.push_back(p);
-      boundary_.pieces.push_back({last, next, s});
-      last = next;
-    }
-    boundary_.pieces.push_back({last, shell_[s][1] != kNoIndex ? shell_[s][1] : segment.b, s});
-  }
-  return Ok{};
 }
 
 // ---- Regions -------------------------------------------------------------------------------
@@ -356,6 +232,28 @@ Pslg scaled_domain(Pslg domain, double scale) {
   return domain;
 }
 
+// ---- The steps -----------------------------------------------------------------------------
+
+// lfs / beta, or half the size where that is less. Requires: both outlive it.
+BallRadius ball_radius(const LocalFeatureSize& lfs, const PackingOptions& options) {
+  return [&options, cursor = LocalFeatureSize::Cursor(lfs)](Point2 p) mutable {
+    if (!options.size) return cursor.at(p) / options.beta;
+    const double most = options.size(p) / 2;
+    return std::min(most, cursor.at(p, options.beta * most) / options.beta);
+  };
+}
+
+InteriorOptions interior_options(const PackingOptions& options) {
+  InteriorOptions interior;
+  if (!options.size) interior.slope = 1 / options.beta;
+  interior.smallest_angle_deg = options.smallest_angle_deg;
+  interior.maximality = options.maximality;
+  interior.placement = options.placement;
+  interior.max_points = options.max_points;
+  interior.progress = options.progress;
+  return interior;
+}
+
 // Packs a domain of usual scale.
 Result<PackedMesh> pack_scaled_domain(const Pslg& input, const PackingOptions& options) {
   constexpr std::uint64_t kPreparationStepsAQuestion = 1024;
@@ -375,28 +273,17 @@ Result<PackedMesh> pack_scaled_domain(const Pslg& input, const PackingOptions& o
 
   const auto whole = LocalFeatureSize::build(domain, {options.holes, CrossingRule::kSplit, go_on});
   if (!whole) return whole.error();
-  BoundaryPacking work(*graph, options);
-  work.cut_corners(corners, *whole);
+  BoundaryPacking boundary(*graph, options);
+  boundary.cut_corners(corners, *whole);
   const auto lfs =
-      LocalFeatureSize::build(work.lopped(), {HoleRule::kNone, CrossingRule::kSplit, go_on});
+      LocalFeatureSize::build(boundary.lopped(), {HoleRule::kNone, CrossingRule::kSplit, go_on});
   if (!lfs) return lfs.error();
-  const BallRadius radius = [&, cursor = LocalFeatureSize::Cursor(*lfs)](Point2 p) mutable {
-    if (!options.size) return cursor.at(p) / options.beta;
-    const double most = options.size(p) / 2;
-    return std::min(most, cursor.at(p, options.beta * most) / options.beta);
-  };
-  if (Status packed = work.pack(radius, meter); !packed) return packed.error();
-
-  InteriorOptions interior;
-  interior.radius = radius;
-  interior.slope = options.size ? interior.slope : 1 / options.beta;
+  InteriorOptions interior = interior_options(options);
+  interior.radius = ball_radius(*lfs, options);
+  if (Status packed = boundary.pack(interior.radius, meter); !packed) return packed.error();
   interior.zone_at = zones_of(*graph, domain);
-  interior.smallest_angle_deg = options.smallest_angle_deg;
-  interior.maximality = options.maximality;
-  interior.placement = options.placement;
-  interior.max_points = work.is_complete() ? options.max_points : 0;
-  interior.progress = options.progress;
-  auto packed_interior = pack_interior(work.boundary(), interior);
+  if (!boundary.is_complete()) interior.max_points = 0;
+  auto packed_interior = pack_interior(boundary.boundary(), interior);
   if (!packed_interior) return packed_interior.error();
 
   PackedMesh packed = finish(std::move(*packed_interior), domain, graph->delaunay.points().size());

@@ -140,6 +140,35 @@ double slope_of(const PackingOptions3& options) {
   return options.size ? std::max(own, options.size_slope / 2) : own;
 }
 
+SurfaceOptions surface_options(const FeatureSize3& features, const PackingOptions3& options) {
+  SurfaceOptions surface;
+  surface.radius = radius_function(features, options);
+  surface.slope = slope_of(options);
+  surface.maximality = options.maximality;
+  surface.max_points = options.max_points;
+  surface.progress = options.progress;
+  return surface;
+}
+
+SolidOptions solid_options(const SurfaceOptions& surface, const Pls& domain) {
+  SolidOptions solids;
+  solids.radius = surface.radius;
+  solids.slope = surface.slope;
+  solids.maximality = surface.maximality;
+  solids.holes = domain.holes;
+  for (const Pls::Region& region : domain.regions) solids.seeds.push_back(region.seed);
+  solids.max_points = surface.max_points;
+  solids.progress = surface.progress;
+  return solids;
+}
+
+void describe_guarantee(const PackingOptions3& options, std::vector<std::string>& notes) {
+  if (options.size && slope_of(options) > 1 / options.beta * (1 + kSlopeRounding))
+    notes.push_back("no guarantee: the size is not known to grow by 2 / beta at most");
+  if (!(options.beta > kLeastBeta))
+    notes.push_back("no guarantee: beta is not above 7 + 2 sqrt 2 = 9.83");
+}
+
 Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& options) {
   constexpr std::size_t kMostFaults = 1000;
   const auto complex = build_complex(domain, options.flatness, options.progress);
@@ -152,34 +181,17 @@ Result<PackedTets> pack_usual_domain(const Pls& domain, const PackingOptions3& o
   if (check.stopped()) return cancelled();
   if (!faults.empty()) return rule_error(faults, *complex);
 
-  SurfaceOptions surface_options;
-  surface_options.radius = radius_function(features, options);
-  surface_options.slope = slope_of(options);
-  surface_options.maximality = options.maximality;
-  surface_options.max_points = options.max_points;
-  surface_options.progress = options.progress;
-  const auto surface = pack_surface(*complex, surface_options);
+  const SurfaceOptions surface_step = surface_options(features, options);
+  const auto surface = pack_surface(*complex, surface_step);
   if (!surface) return surface.error();
-
-  SolidOptions solid_options;
-  solid_options.radius = surface_options.radius;
-  solid_options.slope = surface_options.slope;
-  solid_options.maximality = options.maximality;
-  solid_options.holes = domain.holes;
-  for (const Pls::Region& region : domain.regions) solid_options.seeds.push_back(region.seed);
-  solid_options.max_points = options.max_points;
-  solid_options.progress = options.progress;
-  auto solids = pack_solids(*complex, *surface, solid_options);
+  auto solids = pack_solids(*complex, *surface, solid_options(surface_step, domain));
   if (!solids) return solids.error();
 
   PackedTets packed = finish_tets(domain, *complex, *surface, std::move(*solids));
   packed.notes = complex->notes;
   describe_outside(*complex, *surface, packed, packed.notes);
   describe_regions(domain.regions, packed.notes);
-  if (options.size && slope_of(options) > 1 / options.beta * (1 + kSlopeRounding))
-    packed.notes.push_back("no guarantee: the size is not known to grow by 2 / beta at most");
-  if (!(options.beta > kLeastBeta))
-    packed.notes.push_back("no guarantee: beta is not above 7 + 2 sqrt 2 = 9.83");
+  describe_guarantee(options, packed.notes);
   return packed;
 }
 
