@@ -138,6 +138,21 @@ Status write_files(std::span<const CoarsenRun> runs, const HierarchyFormat& comm
   return Ok{};
 }
 
+// What the options name files of: special points, spacing.
+Status read_node_files(const Arguments& arguments, std::size_t nodes, CoarseningOptions& options) {
+  if (const auto path = arguments.value("--fixed")) {
+    auto fixed = read_fixed_points(*path, nodes);
+    if (!fixed) return fixed.error();
+    options.fixed = std::move(*fixed);
+  }
+  if (const auto path = arguments.value("--spacing")) {
+    auto spacing = read_spacing(*path, nodes);
+    if (!spacing) return spacing.error();
+    options.spacing = std::move(*spacing);
+  }
+  return Ok{};
+}
+
 Result<int> run_coarsen(Arguments& arguments, Session& session) {
   CoarsenRequest request = read_coarsen_request(arguments, session.options().seed);
   if (Status status = arguments.status(); !status)
@@ -150,16 +165,9 @@ Result<int> run_coarsen(Arguments& arguments, Session& session) {
   if (!session.options().output.empty())  // to write the levels takes about as long
     session.leave_time_to_write(reading.elapsed().wall);
   for (const std::string& note : geometry->notes) session.note(note);
-  if (const auto path = arguments.value("--fixed")) {
-    auto fixed = read_fixed_points(*path, geometry->mesh.points.size());
-    if (!fixed) return fixed.error();
-    request.options.fixed = std::move(*fixed);
-  }
-  if (const auto path = arguments.value("--spacing")) {
-    auto spacing = read_spacing(*path, geometry->mesh.points.size());
-    if (!spacing) return spacing.error();
-    request.options.spacing = std::move(*spacing);
-  }
+  if (Status status = read_node_files(arguments, geometry->mesh.points.size(), request.options);
+      !status)
+    return status.error();
 
   std::vector<CoarsenRun> runs;
   for (const CoarseningMethod method : request.methods) {

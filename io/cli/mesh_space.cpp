@@ -131,27 +131,32 @@ std::optional<std::string> spacing_file(const Arguments& arguments, const Common
 
 namespace {
 
-Status write_files(PackedTets& packed, const Geometry& input, double beta,
-                   const Arguments& arguments, Session& session) {
+// A domain, and the mesh that was made of it.
+struct SpaceRun {
+  const std::string& path;
+  const Geometry& input;
+  PackingOptions3 options = {};
+  PackedTets packed = {};
+  ShapeSummary shape = {};
+  PhaseTime read = {}, mesh = {}, write = {};
+  std::uint64_t peak_bytes = 0;
+};
+
+Status write_files(SpaceRun& run, const Arguments& arguments, Session& session) {
   const CommonOptions& common = session.options();
   if (const auto path = spacing_file(arguments, common)) {
-    std::vector<double> spacing = packed.radius;
-    for (double& value : spacing) value *= beta;
-    const Status written =
-        write_spacing(session.outputs(), *path, spacing, {!arguments.has("--size"), beta});
+    std::vector<double> spacing = run.packed.radius;
+    for (double& value : spacing) value *= run.options.beta;
+    const Status written = write_spacing(session.outputs(), *path, spacing,
+                                         {!arguments.has("--size"), run.options.beta});
     if (!written) return written.error();
   }
   if (common.output.empty()) return Ok{};
-  const Geometry geometry = packed_solid(packed, input);
+  const Geometry geometry = packed_solid(run.packed, run.input);
   if (writes_triangle_files(common.output, common.format))
     return write_triangle_set(session.outputs(), common.output, geometry, EmptyFiles::kWrite);
   return write_geometry(session.outputs(), common.output, common.format, geometry);
 }
-
-struct Times {
-  PhaseTime read, mesh, write;
-  std::uint64_t peak_bytes = 0;
-};
 
 void input_fields(JsonWriter& json, const Geometry& input) {
   json.key("input").begin_object();
@@ -160,51 +165,48 @@ void input_fields(JsonWriter& json, const Geometry& input) {
   json.field("segments", input.solid.segments.size()).end_object();
 }
 
-JsonWriter space_json(const PackedTets& packed, const Geometry& input,
-                      const PackingOptions3& options, const ShapeSummary& shape,
-                      const Times& times) {
+void radius_edge_field(JsonWriter& json, double beta, double worst) {
+  json.key("radius_edge").begin_object().field("max", worst).key("bound");
+  if (const auto bound = radius_edge_bound(beta)) {
+    json.value(*bound);
+  } else {
+    json.null();
+  }
+  json.end_object();
+}
+
+JsonWriter space_json(const SpaceRun& run) {
+  const PackedTets& packed = run.packed;
+  const Index base = run.input.index_base;
   JsonWriter json;
   json.begin_object();
-  input_fields(json, input);
+  input_fields(json, run.input);
   json.field("complete", packed.is_complete);
   json.field("nodes", packed.mesh.points.size()).field("tets", packed.mesh.tets.size());
   json.field("boundary_faces", packed.mesh.facets.size());
   json.field("boundary_edges", packed.mesh.segments.size());
   json.field("segment_points", packed.segment_points);
   json.field("facet_points", packed.facet_points).field("balls_packed", packed.balls_packed);
-  json.field("maximal", name_of(options.maximality));
-  json.field("beta", options.beta)
-      .key("radius_edge")
-      .begin_object()
-      .field("max", shape.radius_edge);
-  json.key("bound");
-  if (const auto bound = radius_edge_bound(options.beta)) {
-    json.value(*bound);
-  } else {
-    json.null();
-  }
-  json.end_object()
-      .field("nodes_by_integral", nodes_by_integral(packed))
-      .key("slivers")
-      .begin_array();
-  for (const Index t : shape.slivers) json.value(t + input.index_base);
+  json.field("maximal", name_of(run.options.maximality)).field("beta", run.options.beta);
+  radius_edge_field(json, run.options.beta, run.shape.radius_edge);
+  json.field("nodes_by_integral", nodes_by_integral(packed)).key("slivers").begin_array();
+  for (const Index t : run.shape.slivers) json.value(t + base);
   json.end_array().key("edges").begin_array();
-  for (const Segment& s : packed.domain_segments) {
-    json.begin_array().value(s.a + input.index_base).value(s.b + input.index_base);
-    json.end_array();
-  }
+  for (const Segment& s : packed.domain_segments)
+    json.begin_array().value(s.a + base).value(s.b + base).end_array();
   json.end_array().key("seconds").begin_object();
-  json.field("read", times.read.wall).field("mesh", times.mesh.wall);
-  json.field("write", times.write.wall).end_object();
-  json.field("peak_bytes", times.peak_bytes).end_object();
+  json.field("read", run.read.wall).field("mesh", run.mesh.wall).field("write", run.write.wall);
+  json.end_object().field("peak_bytes", run.peak_bytes).end_object();
   return json;
 }
 
-std::string space_text(const PackedTets& packed, double beta, const ShapeSummary& shape) {
-  std::string text = concat({packed.mesh.points.size(), " nodes, ", packed.mesh.tets.size(),
-                             " tets, ", packed.mesh.facets.size(), " boundary faces\n",
+std::string space_text(const SpaceRun& run) {
+  const TetMesh& mesh = run.packed.mesh;
+  const ShapeSummary& shape = run.shape;
+  std::string text = concat({mesh.points.size(), " nodes, ", mesh.tets.size(), " tets, ",
+                             mesh.facets.size(), " boundary faces\n",
                              "circumradius / shortest edge at most ", decimal(shape.radius_edge)});
-  if (const auto bound = radius_edge_bound(beta))
+  if (const auto bound = radius_edge_bound(run.options.beta))
     append(text, {" (proven: ", decimal(*bound), ")"});
   text += '\n';
   if (!shape.slivers.empty())
@@ -213,69 +215,64 @@ std::string space_text(const PackedTets& packed, double beta, const ShapeSummary
   return text;
 }
 
-Status write_solid_report(const std::string& report_path, const std::string& path,
-                          const PackedTets& packed, const PackingOptions3& options,
-                          const ShapeSummary& shape, Session& session) {
-  const std::string name = std::filesystem::path(display_name(path)).filename().string();
-  const auto bound = radius_edge_bound(options.beta);
-  SolidReport report{
+Status write_solid_report(const std::string& path, const SpaceRun& run, Session& session) {
+  const PackedTets& packed = run.packed;
+  const std::string name = std::filesystem::path(display_name(run.path)).filename().string();
+  const auto bound = radius_edge_bound(run.options.beta);
+  const SolidReport report{
       .title = concat({"Mesh of ", name}),
       .parameters = {{"domain", name},
                      {"nodes", std::to_string(packed.mesh.points.size())},
                      {"tets", std::to_string(packed.mesh.tets.size())},
                      {"boundary faces", std::to_string(packed.mesh.facets.size())},
-                     {"largest circumradius / shortest edge", decimal(shape.radius_edge)},
+                     {"largest circumradius / shortest edge", decimal(run.shape.radius_edge)},
                      {"proven bound of it", bound ? decimal(*bound) : "none"},
-                     {"slivers", std::to_string(shape.slivers.size())},
-                     {"beta", shortest(options.beta)},
-                     {"maximal", name_of(options.maximality)},
+                     {"slivers", std::to_string(run.shape.slivers.size())},
+                     {"beta", shortest(run.options.beta)},
+                     {"maximal", name_of(run.options.maximality)},
                      {"complete", packed.is_complete ? "yes" : "no"}},
       .mesh = &packed.mesh};
-  return session.outputs().add(report_path,
-                               [&](TextWriter& out) { out << solid_report_html(report); });
+  return session.outputs().add(path, [&](TextWriter& out) { out << solid_report_html(report); });
+}
+
+// Measures the time and memory of making the mesh, too.
+Status make_mesh(SpaceRun& run, Session& session) {
+  const MemoryGauge memory;
+  const Stopwatch meshing;
+  auto packed = pack_domain3(to_pls(run.input), run.options);
+  if (!packed) return in_file(packed.error(), run.path);
+  run.packed = std::move(*packed);
+  run.mesh = meshing.elapsed();
+  run.peak_bytes = memory.peak();
+  if (run.packed.was_cancelled && session.stopped() == StopReason::kInterrupted) return cancelled();
+  for (const std::string& note : run.packed.notes)
+    session.note(concat({display_name(run.path), ": ", note}));
+  return Ok{};
 }
 
 }  // namespace
 
 Result<int> mesh_in_space(const std::string& path, const Geometry& input, PhaseTime reading,
                           Arguments& arguments, Session& session) {
-  PackingOptions3 options = read_options(arguments);
+  SpaceRun run{.path = path, .input = input, .options = read_options(arguments), .read = reading};
   if (Status status = arguments.status(); !status)
     return Error{ErrorCode::kUsage, {"mesh: ", status.error().message}};
-  if (Status status = add_size_in_space(arguments, input, session, options); !status)
+  if (Status status = add_size_in_space(arguments, input, session, run.options); !status)
     return status.error();
   constexpr double kJudged = 5, kWritten = 9;  // measured
-  options.progress =
+  run.options.progress =
       packing_progress(session, session.options().output.empty() ? kJudged : kWritten);
-  Times times;
-  times.read = reading;
-
-  const MemoryGauge memory;
-  const Stopwatch meshing;
-  auto packed = pack_domain3(to_pls(input), options);
-  if (!packed) return in_file(packed.error(), path);
-  times.mesh = meshing.elapsed();
-  times.peak_bytes = memory.peak();
-  if (packed->was_cancelled && session.stopped() == StopReason::kInterrupted)
-    return cancelled();
-  for (const std::string& note : packed->notes)
-    session.note(concat({display_name(path), ": ", note}));
+  if (Status status = make_mesh(run, session); !status) return status.error();
 
   const Stopwatch writing;
-  const Status written = write_files(*packed, input, options.beta, arguments, session);
-  if (!written) return written.error();
-  times.write = writing.elapsed();
-  const ShapeSummary shape = shape_summary(packed->mesh);
+  if (Status status = write_files(run, arguments, session); !status) return status.error();
+  run.write = writing.elapsed();
+  run.shape = shape_summary(run.packed.mesh);
   if (const auto report = arguments.value("--report"))
-    if (Status status =
-            write_solid_report(std::string(*report), path, *packed, options, shape, session);
-        !status)
-      return status.error();
-  if (Status status = session.write_json(space_json(*packed, input, options, shape, times));
-      !status)
-    return status.error();
-  session.print(space_text(*packed, options.beta, shape));
-  if (packed->is_complete) return kExitOk;
+    if (Status status = write_solid_report(*report, run, session); !status) return status.error();
+  if (Status status = session.write_json(space_json(run)); !status) return status.error();
+  session.print(space_text(run));
+  if (run.packed.is_complete) return kExitOk;
   session.note("stopped before the end: the mesh conforms, but is not as fine as asked for");
   return kExitLimit;
 }

@@ -93,7 +93,7 @@ class GmshParser {
   Index find_node(std::int64_t tag);
   std::size_t corners_of(std::int64_t type);
   void add_element(std::int64_t type, int marker, const std::array<Index, 4>& corners);
-  void read_element(std::int64_t type, std::size_t corners, int marker, bool wide_tags);
+  void read_element(std::int64_t type, std::size_t corners, int marker);
   void drop_repeated_elements();
   Point3 read_place();
   int as_marker(std::int64_t value);
@@ -277,10 +277,10 @@ void GmshParser::add_element(std::int64_t type, int marker, const std::array<Ind
   if (type == 4) tet_markers_.push_back(marker);
 }
 
-void GmshParser::read_element(std::int64_t type, std::size_t corners, int marker, bool wide_tags) {
+void GmshParser::read_element(std::int64_t type, std::size_t corners, int marker) {
   std::array<Index, 4> nodes{};
   for (std::size_t i = 0; i < corners && scanner_.ok(); ++i)
-    nodes[i] = find_node(wide_tags ? numbers_.wide("node") : numbers_.integer("node"));
+    nodes[i] = find_node(version_4_ ? numbers_.wide("node") : numbers_.integer("node"));
   ++elements_read_;
   if (scanner_.ok()) add_element(type, marker, nodes);
 }
@@ -301,7 +301,7 @@ void GmshParser::read_element_block_2() {
       const std::int64_t tag = numbers_.integer("tag");
       if (k == 0) marker = as_marker(tag);
     }
-    read_element(type, corners, marker, false);
+    read_element(type, corners, marker);
   }
 }
 
@@ -323,7 +323,7 @@ void GmshParser::read_elements_4() {
     const auto group = physical_.find({static_cast<int>(dimension), entity});
     for (std::int64_t i = 0; i < count && scanner_.ok(); ++i) {
       numbers_.wide("element number");
-      read_element(type, corners, group == physical_.end() ? 0 : group->second, true);
+      read_element(type, corners, group == physical_.end() ? 0 : group->second);
     }
   }
 }
