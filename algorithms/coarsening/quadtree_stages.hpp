@@ -52,7 +52,8 @@ QuadtreeStage first_stage(const Level& finest, const Boundary& boundary, double 
 /// points all stay, and boundary nodes that are needed to keep the boundary from crossing itself.
 /// least: a tree that no stage gets coarser than; its root alone if none is.
 /// Cost: linear in the candidates of this stage, but for contracting the boundary.
-/// See: Theorem 5.8.8.
+/// See: Theorem 5.8.8; k is 3, where its part 3, bounded gaps, asks for 2^k >= 6 sqrt 2 a L_0 (by
+/// the erratum).
 QuadtreeStage next_stage(const QuadtreeStage& stage, int doublings, const Quadtree& least);
 
 /// The tree whose leaves at the special points are at most beta times as wide as these are apart,
