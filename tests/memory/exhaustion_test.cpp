@@ -248,7 +248,7 @@ class ProgramExhaustion : public ::testing::Test {
   TemporaryDirectory directory_;
 };
 
-TEST_F(ProgramExhaustion, Triangulates) {
+TEST_F(ProgramExhaustion, LeavesNothingOfATriangulation) {
   const std::string json = directory_ / "out/json";
   expect_program_survives(
       directory_,
@@ -257,7 +257,7 @@ TEST_F(ProgramExhaustion, Triangulates) {
       directory_, {"triangulate", directory_ / "tet.xyz", "-o", directory_ / "out/a.vtu"}, 50);
 }
 
-TEST_F(ProgramExhaustion, GeneratesMeshesAndConverts) {
+TEST_F(ProgramExhaustion, LeavesNothingOfAGeneratedOrConvertedMesh) {
   expect_program_survives(
       directory_, {"generate", "grid", "--nx", "3", "--ny", "3", "-o", directory_ / "out/a.msh"},
       50);
@@ -269,27 +269,27 @@ TEST_F(ProgramExhaustion, GeneratesMeshesAndConverts) {
 }
 
 // Too many allocations to fail each of them: each 97th.
-TEST_F(ProgramExhaustion, MeshesInSpace) {
+TEST_F(ProgramExhaustion, LeavesNothingOfAMeshInSpace) {
   expect_program_survives(directory_,
                           {"mesh", directory_ / "cube.off", "-o", directory_ / "out/a.vtu",
                            "--quiet", "--json", directory_ / "out/json"},
                           1000, 97);
 }
 
-TEST_F(ProgramExhaustion, DecidesPredicates) {
+TEST_F(ProgramExhaustion, LeavesNothingOfPredicates) {
   expect_program_survives(
       directory_, {"predicate", "insphere", directory_ / "signs", "-o", directory_ / "out/signs"},
       5);
 }
 
-TEST_F(ProgramExhaustion, Reproduces) {
+TEST_F(ProgramExhaustion, LeavesNothingOfATable) {
   expect_program_survives(directory_,
                           {"reproduce", "table-8.3", "--scale", "0.004", "--runs", "1", "--quiet",
                            "--json", directory_ / "out/json"},
                           500, 7);
 }
 
-TEST_F(ProgramExhaustion, CoarsensWithTransfersAndReport) {
+TEST_F(ProgramExhaustion, LeavesFinishedLevelsOrNothing) {
   expect_program_survives(directory_,
                           {"coarsen", directory_ / "grid.ele", "-o", directory_ / "out/levels",
                            "--levels", "1", "--stats", "full", "--quiet"},
@@ -301,14 +301,14 @@ TEST_F(ProgramExhaustion, CoarsensWithTransfersAndReport) {
                             100);
 }
 
-TEST_F(ProgramExhaustion, WritesReports) {
+TEST_F(ProgramExhaustion, LeavesNothingOfReports) {
   expect_program_survives(directory_,
                           {"coarsen", directory_ / "grid.ele", "--levels", "1", "--method",
                            "function", "--quiet", "--report", directory_ / "out/report.html"},
                           200);
 }
 
-TEST_F(ProgramExhaustion, Audits) {
+TEST_F(ProgramExhaustion, LeavesNothingOfAnAudit) {
   expect_program_survives(
       directory_, {"audit", directory_ / "grid.ele", "--quiet", "--json", directory_ / "out/json"},
       100);

@@ -63,7 +63,7 @@ void expect_outcomes(const std::vector<Case>& cases) {
 
 const std::string kThree = "3 2 0 0\n0 0 0\n1 4 0\n2 0 4\n";
 
-TEST(Malformed, NodeFiles) {
+TEST(Malformed, NodeFilesAreReadOrRefusedInOneLine) {
   expect_outcomes({
       {"empty", "a.node", "", kUnreadable},
       {"only a comment", "a.node", "# 3 2 0 0\n", kUnreadable},
@@ -91,7 +91,7 @@ TEST(Malformed, NodeFiles) {
   });
 }
 
-TEST(Malformed, NodeFilesThatAreOddButRight) {
+TEST(Malformed, NodeFilesThatAreOddButRightAreRead) {
   expect_outcomes({
       {"CRLF", "a.node", "3 2 0 0\r\n0 0 0\r\n1 4 0\r\n2 0 4\r\n", kRead},
       {"BOM", "a.node", "\xEF\xBB\xBF" + kThree, kRead},
@@ -109,7 +109,7 @@ TEST(Malformed, NodeFilesThatAreOddButRight) {
   });
 }
 
-TEST(Malformed, PolyFiles) {
+TEST(Malformed, PolyFilesAreReadOrRefusedInOneLine) {
   const std::string points = "4 2 0 0\n0 0 0\n1 4 0\n2 4 4\n3 0 4\n";
   expect_outcomes({
       {"empty", "a.poly", "", kUnreadable},
@@ -134,7 +134,7 @@ TEST(Malformed, PolyFiles) {
   });
 }
 
-TEST(Malformed, PointFiles) {
+TEST(Malformed, PointFilesAreReadOrRefusedInOneLine) {
   const std::string doubles = f64(2, 3, "") + std::string(48, '\0');
   expect_outcomes({
       {"lines of 2 and 3", "a.xyz", "0 0\n1 1 1\n", kUnreadable},
@@ -183,7 +183,7 @@ TEST(Malformed, HalfwayDecimalsRoundToEven) {
   EXPECT_NE(said("0x1.0000000000001p0", half + "0000000001").find("1 dupl"), std::string::npos);
 }
 
-TEST(Malformed, PredicateLines) {
+TEST(Malformed, PredicateLinesAreReadOrRefused) {
   const TemporaryDirectory directory;
   const auto exit_code = [&](const std::string& text) {
     return run_program({"predicate", "orient2d", directory.write("a.txt", text)}).exit_code;

@@ -65,7 +65,7 @@ std::vector<test::PointFamily> whole_number_families() {
 constexpr int kScales[] = {-1074, -1073, -1050, -1022, -1000, -700, -537, -485, -300, -216, -162,
                            -53,   0,     52,    201,   253,   509,  511,  640,  900,  1000, 1019};
 
-TEST(PlaneCorpus, PointsAtEveryScale) {
+TEST(PlaneCorpus, TriangulatesPointsAtEveryScale) {
   int count = 0;
   for (const auto& [name, points] : whole_number_families())
     for (const int scale : kScales) {
@@ -76,7 +76,7 @@ TEST(PlaneCorpus, PointsAtEveryScale) {
 }
 
 // Neighbouring scales meet in one input: bits span the whole range of doubles.
-TEST(PlaneCorpus, PointsOfSeveralScalesAtOnce) {
+TEST(PlaneCorpus, TriangulatesPointsOfSeveralScalesAtOnce) {
   for (const int low : {-1074, -600, -60})
     for (const int high : {0, 60, 1019})
       for (std::uint64_t seed = 0; seed < 4; ++seed) {
@@ -90,7 +90,7 @@ TEST(PlaneCorpus, PointsOfSeveralScalesAtOnce) {
 // L. Kettner, K. Mehlhorn, S. Pion, S. Schirra and C. Yap, Classroom examples of robustness
 // problems in geometric computations (2008): a point in the grid of doubles about (1/2, 1/2), and
 // two far along the diagonal.
-TEST(PlaneCorpus, PointsOfTheClassroom) {
+TEST(PlaneCorpus, TriangulatesPointsOfTheClassroom) {
   for (const auto& [q, r] :
        {std::pair{Point2{12, 12}, Point2{24, 24}},
         {{17.300000000000001, 17.300000000000001}, {24.00000000000005, 24.0000000000000517765}},
@@ -110,14 +110,14 @@ TEST(PlaneCorpus, PointsOfTheClassroom) {
                                                         {19, 11}});
 }
 
-TEST(PlaneCorpus, PointsAnUlpApart) {
+TEST(PlaneCorpus, TriangulatesPointsAnUlpApart) {
   for (std::uint64_t seed = 0; seed < 40; ++seed)
     check_points("seed " + std::to_string(seed), test::one_ulp_neighbours(9, seed));
   for (std::uint64_t seed = 0; seed < 20; ++seed)
     check_points("line " + std::to_string(seed), test::nearly_collinear_points(9, seed));
 }
 
-TEST(PlaneCorpus, Needles) {
+TEST(PlaneCorpus, TriangulatesNeedles) {
   for (int k = 1; k <= 52; k += 3) {
     const double length = std::ldexp(1, k), up = std::nextafter(1, 2);
     check_points("flat " + std::to_string(k),
@@ -242,7 +242,7 @@ Pslg scaled(Pslg graph, int exponent) {
 }
 
 // Two segments cross at (1/3, 1/3); the third passes it by some units in the last place.
-TEST(PlaneCorpus, SegmentsThatNearlyMeetAtThirds) {
+TEST(PlaneCorpus, TellsSegmentsThatNearlyMeetAtThirdsApart) {
   Outcomes outcomes;
   for (int up = -5; up <= 5; ++up)
     for (int right = -5; right <= 5; ++right) {
@@ -253,7 +253,7 @@ TEST(PlaneCorpus, SegmentsThatNearlyMeetAtThirds) {
   EXPECT_EQ(outcomes.exact_topology, 121);
 }
 
-TEST(PlaneCorpus, CompleteGraphsOnALatticeCircle) {
+TEST(PlaneCorpus, SplitsCompleteGraphsOnALatticeCircle) {
   Outcomes outcomes;
   const Points circle = {{5, 0},  {4, 3},   {3, 4},   {0, 5},  {-3, 4}, {-4, 3},
                          {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
@@ -266,7 +266,7 @@ TEST(PlaneCorpus, CompleteGraphsOnALatticeCircle) {
 }
 
 // Segments between whole numbers through a common point that is none, nor a double.
-TEST(PlaneCorpus, ConcurrentSegments) {
+TEST(PlaneCorpus, SplitsConcurrentSegmentsAtOneVertex) {
   Outcomes outcomes;
   Random random(1);
   for (const int q : {3, 5, 7, 11, 13})
@@ -285,7 +285,7 @@ TEST(PlaneCorpus, ConcurrentSegments) {
   EXPECT_LT(20 * (outcomes.refused + outcomes.bent), outcomes.rounded);
 }
 
-TEST(PlaneCorpus, SegmentsBetweenLatticePointsAtSeveralScales) {
+TEST(PlaneCorpus, SplitsSegmentsBetweenLatticePointsAtSeveralScales) {
   Outcomes outcomes;
   for (std::uint64_t seed = 0; seed < 24; ++seed)
     for (const int scale : {-1000, -400, 0, 400, 1015})
@@ -303,7 +303,7 @@ TEST(PlaneCorpus, SegmentsAmongTheLeastDoublesAreRoundedOrRefused) {
   EXPECT_LT(10 * outcomes.refused, outcomes.rounded);
 }
 
-TEST(PlaneCorpus, SegmentsAnUlpApart) {
+TEST(PlaneCorpus, SplitsSegmentsAnUlpApart) {
   Outcomes outcomes;
   for (std::uint64_t seed = 0; seed < 40; ++seed)
     check_graph("seed " + std::to_string(seed), paired(test::one_ulp_neighbours(16, seed)),
@@ -311,9 +311,8 @@ TEST(PlaneCorpus, SegmentsAnUlpApart) {
   EXPECT_LT(10 * outcomes.refused, outcomes.rounded);
 }
 
-// Long segments along one line, which keep their order by less than the doubles can tell. Refused
-// are only those whose crossing no double inside the hull is near to.
-TEST(PlaneCorpus, SegmentsNearlyAlongOneLine) {
+// Long segments along one line, which keep their order by less than the doubles can tell.
+TEST(PlaneCorpus, SplitsSegmentsNearlyAlongOneLine) {
   const auto moved = [](Points points, double slope, double up) {
     for (Point2& p : points) p.y = p.x * slope + up;
     return points;
@@ -333,7 +332,7 @@ TEST(PlaneCorpus, SegmentsNearlyAlongOneLine) {
 }
 
 // As many segments as fit between the doubles of a few cells.
-TEST(PlaneCorpus, SegmentsCrowdedInAFewUlps) {
+TEST(PlaneCorpus, SplitsSegmentsCrowdedInAFewUlps) {
   Outcomes outcomes;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const std::string name = "seed " + std::to_string(seed);
@@ -346,7 +345,7 @@ TEST(PlaneCorpus, SegmentsCrowdedInAFewUlps) {
 }
 
 // A fan of needles across an upright segment, its apex ever nearer to it.
-TEST(PlaneCorpus, NeedlesAcrossASegment) {
+TEST(PlaneCorpus, SplitsASegmentUnderNeedles) {
   Outcomes outcomes;
   for (int k = 10; k <= 70; k += 5) {
     const double left = -std::ldexp(1, -k);
@@ -364,7 +363,7 @@ TEST(PlaneCorpus, NeedlesAcrossASegment) {
 }
 
 // The sides of the classroom's polygons, which hardly turn.
-TEST(PlaneCorpus, SegmentsOfTheClassroom) {
+TEST(PlaneCorpus, SplitsSegmentsOfTheClassroom) {
   Outcomes outcomes;
   for (int k = 0; k < 32; ++k) {
     const Point2 p{0.5 + k % 8 * 0x1p-53, 0.5 + k / 8 * 0x1p-53};
