@@ -109,7 +109,7 @@ Status write_mesh_files(const PackedMesh& packed, const Geometry& input, double 
     const Progress progress = session.writing();
     ProgressParts parts(progress, "write", 1);
     const std::vector<double> spacing = packed_spacing(packed, beta, parts.part(0));
-    if (parts.stopped()) return Error{ErrorCode::kCancelled, "cancelled"};
+    if (parts.stopped()) return cancelled();
     const Status written = write_spacing(session.outputs(), *path, spacing, {false, beta});
     if (!written) return written.error();
   }
