@@ -1,6 +1,5 @@
 #include "wellspaced/kernel/check_points.hpp"
 
-#include <string>
 #include <utility>
 #include <vector>
 

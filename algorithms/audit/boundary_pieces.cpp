@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/audit/boundary_pieces.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <utility>
 

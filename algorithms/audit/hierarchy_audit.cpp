@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "wellspaced/algorithms/audit/boundary_distance.hpp"

@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/audit/intersection.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <optional>

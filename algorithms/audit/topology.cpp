@@ -1,7 +1,5 @@
 #include "wellspaced/algorithms/audit/topology.hpp"
 
-#include <algorithm>
-
 #include "wellspaced/kernel/check_points.hpp"
 
 #include "wellspaced/algorithms/audit/check_lists.hpp"

@@ -1,7 +1,5 @@
 #include "wellspaced/algorithms/coarsening/level_triangulation.hpp"
 
-#include <utility>
-
 #include "wellspaced/kernel/plane/delaunay2.hpp"
 
 namespace wellspaced {

@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/coarsening/statistics.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/generate/curved_domain.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "wellspaced/kernel/distance.hpp"

@@ -1,7 +1,5 @@
 #include "wellspaced/algorithms/generate/point_sets.hpp"
 
-#include <utility>
-
 #include "wellspaced/algorithms/generate/make_points.hpp"
 #include "wellspaced/kernel/elementary.hpp"
 #include "wellspaced/kernel/random.hpp"

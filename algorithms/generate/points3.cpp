@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/generate/points3.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "wellspaced/algorithms/generate/make_points.hpp"
 #include "wellspaced/kernel/elementary.hpp"

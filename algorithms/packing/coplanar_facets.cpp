@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "wellspaced/kernel/sort.hpp"

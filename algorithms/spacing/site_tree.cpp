@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/spacing/site_tree.hpp"
 
 #include <bit>
-#include <cmath>
 
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/point_order.hpp"

@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "wellspaced/algorithms/mesh/triangle_links.hpp"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <new>
 #include <span>
 #include <string>
@@ -14,7 +13,6 @@
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/report/audit_report.hpp"
 #include "wellspaced/io/text/scanner.hpp"
-#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/memory.hpp"
 #include "wellspaced/kernel/plane/triangulate.hpp"
 #include "wellspaced/kernel/predicates.hpp"

@@ -4,8 +4,6 @@
 #include <array>
 #include <charconv>
 #include <span>
-#include <string_view>
-#include <utility>
 
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/formats/hierarchy_files.hpp"

@@ -7,7 +7,6 @@
 #include "wellspaced/io/report/report.hpp"
 #include "wellspaced/io/report/selection_table.hpp"
 #include "wellspaced/io/report/solver_table.hpp"
-#include "wellspaced/io/report/table_text.hpp"
 #include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {

@@ -2,7 +2,6 @@
 
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/files/input_file.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 

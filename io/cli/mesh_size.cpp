@@ -1,12 +1,9 @@
 #include "wellspaced/io/cli/mesh_size.hpp"
 
-#include <string>
 #include <utility>
 
-#include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/text/numbers.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced::cli {
 

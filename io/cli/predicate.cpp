@@ -4,7 +4,6 @@
 #include "wellspaced/io/cli/command.hpp"
 #include "wellspaced/io/files/input_file.hpp"
 #include "wellspaced/io/text/scanner.hpp"
-#include "wellspaced/kernel/concat.hpp"
 #include "wellspaced/kernel/predicates.hpp"
 
 namespace wellspaced::cli {

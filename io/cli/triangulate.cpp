@@ -1,5 +1,4 @@
 // wellspaced triangulate: Delaunay and constrained Delaunay triangulations.
-#include <algorithm>
 #include <array>
 #include <optional>
 

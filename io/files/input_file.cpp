@@ -1,5 +1,4 @@
 #include "wellspaced/io/files/input_file.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 #include <algorithm>
 #include <cerrno>

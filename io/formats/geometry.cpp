@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "wellspaced/io/text/numbers.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {

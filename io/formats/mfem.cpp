@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 #include "wellspaced/io/formats/solver_files.hpp"

@@ -6,7 +6,6 @@
 #include "wellspaced/io/formats/surface_files.hpp"
 #include "wellspaced/io/text/numbers.hpp"
 #include "wellspaced/io/text/scanner.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "wellspaced/io/formats/surface.hpp"
 #include "wellspaced/io/formats/surface_files.hpp"

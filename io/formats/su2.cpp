@@ -5,7 +5,6 @@
 
 #include "wellspaced/io/formats/solver_files.hpp"
 #include "wellspaced/io/text/scanner.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {

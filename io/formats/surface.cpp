@@ -1,5 +1,4 @@
 #include "wellspaced/io/formats/surface.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 #include <algorithm>
 #include <utility>

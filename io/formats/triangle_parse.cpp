@@ -1,10 +1,8 @@
 #include <array>
-#include <utility>
 
 #include "wellspaced/io/formats/space_domain.hpp"
 #include "wellspaced/io/formats/triangle_text.hpp"
 #include "wellspaced/io/text/scanner.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {

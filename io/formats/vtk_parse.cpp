@@ -6,7 +6,6 @@
 #include "wellspaced/io/formats/vtk.hpp"
 #include "wellspaced/io/text/bytes.hpp"
 #include "wellspaced/io/text/scanner.hpp"
-#include "wellspaced/kernel/concat.hpp"
 
 namespace wellspaced {
 namespace {

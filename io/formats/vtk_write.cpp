@@ -1,5 +1,4 @@
 #include <bit>
-#include <concepts>
 
 #include "wellspaced/io/formats/vtk.hpp"
 #include "wellspaced/io/text/bytes.hpp"

@@ -1,6 +1,5 @@
 #include "wellspaced/io/json/json_writer.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "wellspaced/io/text/text_writer.hpp"

@@ -1,7 +1,6 @@
 #include "wellspaced/io/pictures/svg.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "wellspaced/io/pictures/pen.hpp"
 #include "wellspaced/io/text/markup.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "wellspaced/io/formats/hierarchy_files.hpp"
 #include "wellspaced/io/reproduce/published.hpp"

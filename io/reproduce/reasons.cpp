@@ -1,7 +1,6 @@
 #include "wellspaced/io/reproduce/reasons.hpp"
 #include "wellspaced/kernel/concat.hpp"
 
-#include <cmath>
 #include <string_view>
 
 namespace wellspaced {

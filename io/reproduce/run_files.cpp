@@ -1,7 +1,6 @@
 #include "wellspaced/io/reproduce/run_files.hpp"
 
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include "wellspaced/io/files/input_file.hpp"

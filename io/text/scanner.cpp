@@ -1,6 +1,5 @@
 #include "wellspaced/io/text/scanner.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

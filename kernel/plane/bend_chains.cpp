@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <string>
-#include <utility>
 
 #include "wellspaced/kernel/predicates.hpp"
 #include "wellspaced/kernel/quantifiers.hpp"

@@ -1,7 +1,5 @@
 #include "wellspaced/kernel/plane/quadtree_topology.hpp"
 
-#include <numeric>
-
 #include "wellspaced/kernel/quantifiers.hpp"
 
 namespace wellspaced {

@@ -1,7 +1,6 @@
 #include "wellspaced/kernel/plane/triangulate.hpp"
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "wellspaced/kernel/space/bulk_insertion3.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "wellspaced/kernel/parallel.hpp"
 #include "wellspaced/kernel/space/walk3.hpp"

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cassert>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "wellspaced/kernel/check_points.hpp"

@@ -1,7 +1,6 @@
 #include "wellspaced/kernel/space/triangulation3.hpp"
 
 #include <functional>
-#include <utility>
 
 #include "wellspaced/kernel/parallel.hpp"
 #include "wellspaced/kernel/sort.hpp"

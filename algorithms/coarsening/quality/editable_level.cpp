@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/coarsening/quality/editable_level.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "wellspaced/algorithms/coarsening/contracted_boundary.hpp"

@@ -1,8 +1,6 @@
 #include "wellspaced/algorithms/coarsening/quality/level_sizing.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "wellspaced/algorithms/spacing/graph_spacing.hpp"
 #include "wellspaced/kernel/distance.hpp"

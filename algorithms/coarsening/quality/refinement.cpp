@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/coarsening/quality/refinement.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "wellspaced/kernel/distance.hpp"
 #include "wellspaced/kernel/predicates.hpp"

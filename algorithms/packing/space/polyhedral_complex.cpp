@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/packing/space/polyhedral_complex.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "wellspaced/algorithms/packing/space/surface_packing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
