@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "wellspaced/kernel/sort.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -14,16 +15,7 @@ namespace {
 
 using Polygon = std::vector<Index>;
 
-// The box around points.
-struct Bounds {
-  Point3 low, high;
-
-  void widen(Point3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  double extent() const { return length(high - low); }
-};
+double extent_of(const Box3& box) { return length(box.size()); }
 
 // What is known of one facet. The plane goes through `origin`.
 struct FacetShape {
@@ -38,7 +30,7 @@ struct FacetShape {
 // Facets that are one, the one in whose plane they lie first.
 struct FacetGroup {
   std::vector<Index> facets;
-  Bounds bounds;
+  Box3 bounds;
   double off_plane = 0;  // the largest distance of a point
 };
 
@@ -110,15 +102,15 @@ class FacetMerger {
 // Adds a facet to a group if its points lie near the plane of the first.
 bool FacetMerger::take(FacetGroup& group, Index facet) const {
   const FacetShape& plane = shapes_[group.facets.empty() ? facet : group.facets[0]];
-  Bounds bounds = group.facets.empty() ? Bounds{plane.origin, plane.origin} : group.bounds;
+  Box3 bounds = group.facets.empty() ? Box3{plane.origin, plane.origin} : group.bounds;
   double off_plane = group.off_plane;
   for (const Polygon& polygon : domain_.facets[facet].polygons) {
     for (const Index v : polygon) {
-      bounds.widen(domain_.points[v]);
+      bounds.cover({domain_.points[v], domain_.points[v]});
       off_plane = std::max(off_plane, plane.distance_to_plane(domain_.points[v]));
     }
   }
-  if (!(off_plane <= flatness_ * bounds.extent())) return false;
+  if (!(off_plane <= flatness_ * extent_of(bounds))) return false;
   group.facets.push_back(facet);
   group.bounds = bounds;
   group.off_plane = off_plane;
@@ -134,7 +126,7 @@ std::vector<Index> FacetMerger::find_bad_facets() {
     FacetGroup alone;
     const bool is_good =
         std::isfinite(shape.normal_length) && shape.normal_length > 0 && take(alone, f) &&
-        shape.normal_length > flatness_ * alone.bounds.extent() * alone.bounds.extent();
+        shape.normal_length > flatness_ * extent_of(alone.bounds) * extent_of(alone.bounds);
     if (!is_good) bad.push_back(f);
   }
   return bad;
@@ -309,7 +301,7 @@ MergedFacets FacetMerger::result() const {
     for (const Index f : group.facets)
       result.merged_into[f] = static_cast<Index>(result.domain.facets.size());
     result.domain.facets.push_back(outline(group));
-    result.flatness = std::max(result.flatness, group.off_plane / group.bounds.extent());
+    result.flatness = std::max(result.flatness, group.off_plane / extent_of(group.bounds));
   }
   keep_inner_points(result);
   return result;

@@ -7,6 +7,7 @@
 
 #include "wellspaced/io/formats/gmsh.hpp"
 #include "wellspaced/io/text/bytes.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 
 namespace wellspaced {
 namespace {
@@ -142,15 +143,11 @@ void GmshWriter::write_names() {
 }
 
 void GmshWriter::write_entity(int dimension, int marker, std::int64_t tag) {
-  Point3 low{0, 0, 0}, high{0, 0, 0};
-  if (!geometry_.solid.points.empty()) low = high = geometry_.solid.points[0];
-  for (const Point3& p : geometry_.solid.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
+  const std::vector<Point3>& points = geometry_.solid.points;
+  const Box3 box = points.empty() ? Box3{} : Box3::around(points);
   integer(tag);
-  place(low);
-  if (dimension > 0) place(high);
+  place(box.low);
+  if (dimension > 0) place(box.high);
   const int group = group_of(dimension, marker);
   wide(group == 0 ? 0 : 1);
   if (group != 0) integer(group);

@@ -9,6 +9,7 @@
 #include "wellspaced/algorithms/audit/tet_faces.hpp"
 #include "wellspaced/io/pictures/pen.hpp"
 #include "wellspaced/kernel/sort.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -25,13 +26,8 @@ Point3 unit(Point3 a) {
 std::vector<Point3> normalized(const std::vector<Point3>& points) {
   if (points.empty()) return {};
   const auto half = [](Point3 p) { return 0.5 * p; };
-  Point3 low = half(points[0]), high = low;
-  for (const Point3 p : points) {
-    const Point3 q = half(p);
-    low = {std::min(low.x, q.x), std::min(low.y, q.y), std::min(low.z, q.z)};
-    high = {std::max(high.x, q.x), std::max(high.y, q.y), std::max(high.z, q.z)};
-  }
-  const Point3 size = high - low, middle = low + 0.5 * size;
+  const Box3 box = Box3::around(points);
+  const Point3 low = half(box.low), size = half(box.high) - low, middle = low + 0.5 * size;
   const double extent = std::max({size.x, size.y, size.z}) / 2;
   std::vector<Point3> result;
   for (const Point3 p : points) {

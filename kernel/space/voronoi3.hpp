@@ -4,14 +4,10 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 #include "wellspaced/kernel/space/delaunay3.hpp"
 
 namespace wellspaced {
-
-/// The points between two corners. Requires: low <= high in every coordinate.
-struct Box3 {
-  Point3 low, high;
-};
 
 /// A convex polyhedron.
 ///

@@ -8,6 +8,7 @@
 #include "wellspaced/kernel/angle.hpp"
 #include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -202,13 +203,7 @@ void RuleCheck::check_wings(Index s) {
 constexpr double kOverlapping = 1 - 1e-12;
 
 double extent_of(const PolyhedralComplex& complex) {
-  if (complex.points.empty()) return 0;
-  Point3 low = complex.points[0], high = low;
-  for (const Point3 p : complex.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return length(high - low);
+  return complex.points.empty() ? 0 : length(Box3::around(complex.points).size());
 }
 
 std::string name_of(const Feature& feature, const PolyhedralComplex& complex) {

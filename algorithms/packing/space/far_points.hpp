@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wellspaced/kernel/mesh.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -14,12 +15,8 @@ inline constexpr Index kFarPoints = 8;
 /// Appends the corners of a cube five times as large as the box of the points, or of some cube
 /// around them if they are all the same. Requires: at least one point.
 inline void add_far_points(std::vector<Point3>& points) {
-  Point3 low = points[0], high = low;
-  for (const Point3 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const Point3 middle = 0.5 * (low + high), size = high - low;
+  const Box3 box = Box3::around(points);
+  const Point3 middle = 0.5 * (box.low + box.high), size = box.size();
   const double extent = std::max({size.x, size.y, size.z});
   const double reach = 2.5 * (extent > 0 ? extent : 1 + length(middle));
   for (Index i = 0; i < kFarPoints; ++i)

@@ -51,11 +51,12 @@ double FeatureSize3::Shape::distance_sq(Point3 x) const {
                    distance_sq_to_stretch(ax - ab, ac - ab)});
 }
 
-double FeatureSize3::Box::distance_sq(Point3 x) const {
+static double distance_sq_to_box(const Box3& box, Point3 x) {
   const auto beyond = [](double at, double from, double to) {
     const double d = at - std::clamp(at, from, to);
     return d * d;
   };
+  const auto& [low, high] = box;
   return beyond(x.x, low.x, high.x) + beyond(x.y, low.y, high.y) + beyond(x.z, low.z, high.z);
 }
 
@@ -65,14 +66,10 @@ FeatureSize3::Shape FeatureSize3::shape_of(const Item& item) const {
   return {item.feature.dimension, a, b - a, c - a};
 }
 
-FeatureSize3::Box FeatureSize3::box_of(const Item& item) const {
-  Box box{complex_->points[item.corners[0]], complex_->points[item.corners[0]]};
-  for (const Index v : item.corners) {
-    const Point3 p = complex_->points[v];
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-  }
-  return box;
+Box3 FeatureSize3::box_of(const Item& item) const {
+  const auto& points = complex_->points;
+  const auto& [a, b, c] = item.corners;
+  return Box3::around(std::array{points[a], points[b], points[c]});
 }
 
 // ---- The tree ------------------------------------------------------------------------------
@@ -108,21 +105,16 @@ FeatureSize3::FeatureSize3(const PolyhedralComplex& complex, const Progress& pro
 void FeatureSize3::build_tree(std::size_t node, std::size_t first, std::size_t last,
                               ProgressMeter& meter) {
   if (!meter.step(last - first)) return;
-  Box box = box_of(items_[first]);
-  for (std::size_t i = first + 1; i < last; ++i) {
-    const auto [low, high] = box_of(items_[i]);
-    box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y), std::min(box.low.z, low.z)};
-    box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y),
-                std::max(box.high.z, high.z)};
-  }
+  Box3 box = box_of(items_[first]);
+  for (std::size_t i = first + 1; i < last; ++i) box.cover(box_of(items_[i]));
   around_[node] = box;
   if (last - first <= kItemsInLeaf) return;
-  const Point3 size = box.high - box.low;
+  const Point3 size = box.size();
   const auto along = [&](Point3 p) {
     return size.x >= std::max(size.y, size.z) ? p.x : size.y >= size.z ? p.y : p.z;
   };
   const auto key = [&](const Item& item) {
-    const Box own = box_of(item);
+    const Box3 own = box_of(item);
     return std::tuple(along(own.low) / 2 + along(own.high) / 2, item.feature.dimension,
                       item.feature.number, item.corners);
   };
@@ -140,7 +132,7 @@ void FeatureSize3::visit_by_distance(Point3 x, Visit visit) const {
   if (items_.empty()) return;
   DistanceQueue queue;
   const auto push_node = [&](Index node, Index first, Index last) {
-    queue.push({around_[node - 1].distance_sq(x), node, first, last});
+    queue.push({distance_sq_to_box(around_[node - 1], x), node, first, last});
   };
   push_node(1, 0, static_cast<Index>(items_.size()));
   while (!queue.empty()) {
@@ -284,7 +276,7 @@ double FeatureSize3::Cursor::at_near(const Place& place, Point3 x) const {
 // Calls visit(number of an item) for those whose leaf comes within a distance of the box, until it
 // returns false.
 template <class Visit>
-void FeatureSize3::visit_near(const Box& box, double within, Visit visit) const {
+void FeatureSize3::visit_near(const Box3& box, double within, Visit visit) const {
   struct Range {
     std::size_t node, first, last;
   };

@@ -7,6 +7,7 @@
 #include "wellspaced/algorithms/packing/space/polyhedral_complex.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/progress.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 
 namespace wellspaced {
 
@@ -86,29 +87,25 @@ class FeatureSize3 {
 
     double distance_sq(Point3 x) const;
   };
-  struct Box {
-    Point3 low, high;
-    double distance_sq(Point3 x) const;
-  };
   class Touching;
 
   Shape shape_of(const Item& item) const;
   void build_tree(std::size_t node, std::size_t first, std::size_t last, ProgressMeter& meter);
-  Box box_of(const Item& item) const;
+  Box3 box_of(const Item& item) const;
   bool touch(const Item& x, const Item& y) const;
   bool touches_facet(const Item& x, const Item& facet) const;
   bool facets_touch(const Item& x, const Item& y) const;
   template <class Visit>
   void visit_by_distance(Point3 x, Visit visit) const;
   template <class Visit>
-  void visit_near(const Box& box, double within, Visit visit) const;
+  void visit_near(const Box3& box, double within, Visit visit) const;
   double distance_between(const Item& x, const Item& y) const;
 
   const PolyhedralComplex* complex_;
   std::vector<std::vector<Index>> touching_facets_;  // for each facet, ascending
   std::vector<Item> items_;                          // in the order of the tree's leaves
   std::vector<Shape> shapes_;                        // the same
-  std::vector<Box> around_;                          // node k has the children 2k + 1 and 2k + 2
+  std::vector<Box3> around_;                         // node k has the children 2k + 1 and 2k + 2
 };
 
 }  // namespace wellspaced

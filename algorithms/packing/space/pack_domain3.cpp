@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/packing/space/polyhedral_complex.hpp"
 #include "wellspaced/algorithms/packing/space/solid_packing.hpp"
 #include "wellspaced/algorithms/packing/space/surface_packing.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
 namespace wellspaced {
@@ -104,11 +105,7 @@ void describe_regions(const std::vector<Pls::Region>& regions, std::vector<std::
 // The power of two that makes the largest coordinate difference about 1.
 double scale_of(const std::vector<Point3>& points) {
   if (points.empty()) return 1;
-  Point3 low = points[0], high = low;
-  for (const Point3 p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
+  const auto [low, high] = Box3::around(points);
   const double half_extent =
       std::max({high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2});
   if (!(half_extent > 0) || !std::isfinite(half_extent)) return 1;

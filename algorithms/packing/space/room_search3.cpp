@@ -5,6 +5,7 @@
 
 #include "wellspaced/kernel/quantifiers.hpp"
 #include "wellspaced/kernel/sort.hpp"
+#include "wellspaced/kernel/space/box3.hpp"
 #include "wellspaced/kernel/space/circumsphere.hpp"
 #include "wellspaced/kernel/space/vector3.hpp"
 
@@ -49,19 +50,18 @@ bool RoomSearch3::corners_cover(const std::array<Index, 4>& corners) const {
 
 // Returns the cube around the tet.
 RoomSearch3::Cell RoomSearch3::look_at(const std::array<Index, 4>& corners) {
-  Point3 low = point(corners[0]), high = low;
+  Box3 box{point(corners[0]), point(corners[0])};
   for (unsigned i = 0; i < 4; ++i) {
     const Point3 p = point(corners[i]);
     corners_[i] = {p, packing_.radius[corners[i]]};
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    box.cover({p, p});
     const auto& [j, k, l] = Triangulation3::kFacetCorners[i];
     const Point3 a = point(corners[j]);
     const Point3 normal = cross(point(corners[k]) - a, point(corners[l]) - a);
     faces_[i] = {a, (1 / length(normal)) * normal};
   }
-  const Point3 size = high - low;
-  return {0.5 * (low + high), 0.5 * std::max({size.x, size.y, size.z})};
+  const Point3 size = box.size();
+  return {0.5 * (box.low + box.high), 0.5 * std::max({size.x, size.y, size.z})};
 }
 
 // Gathers tets whose circumspheres meet the smallest ball around the middle of the box that holds
