@@ -44,15 +44,11 @@ void describe_step(const Level& finer, const Level& coarser, const Transfer& tra
 }  // namespace
 
 Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy, const Progress& progress) {
+  auto transfers = transfers_of(hierarchy, progress);
+  if (!transfers) return transfers.error();
   SolverHierarchy solver;
+  solver.transfers = std::move(*transfers);
   const std::size_t levels = hierarchy.levels.size();
-  ProgressParts transfers(progress, "transfer", levels - 1);
-  for (std::size_t k = 0; k + 1 < levels; ++k) {
-    auto transfer =
-        transfer_between(hierarchy.levels[k], hierarchy.levels[k + 1], transfers.part(k));
-    if (!transfer) return transfer.error();
-    solver.transfers.push_back(std::move(*transfer));
-  }
   ProgressParts parts(progress, "measure", levels);
   if (!parts.go_on(0)) return cancelled();
   const TriangleMesh& finest = hierarchy.levels[0].mesh;

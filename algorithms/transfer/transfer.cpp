@@ -451,10 +451,12 @@ Result<Transfer> transfer_between(const Level& finer, const Level& coarser,
   return TransferBuilder(finer, coarser, progress).build();
 }
 
-Result<std::vector<Transfer>> transfers_of(const Hierarchy& hierarchy) {
+Result<std::vector<Transfer>> transfers_of(const Hierarchy& hierarchy, const Progress& progress) {
+  const std::vector<Level>& levels = hierarchy.levels;
   std::vector<Transfer> transfers;
-  for (std::size_t k = 0; k + 1 < hierarchy.levels.size(); ++k) {
-    auto transfer = transfer_between(hierarchy.levels[k], hierarchy.levels[k + 1]);
+  ProgressParts parts(progress, "transfer", levels.size() - 1);
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
+    auto transfer = transfer_between(levels[k], levels[k + 1], parts.part(k));
     if (!transfer) return transfer.error();
     transfers.push_back(std::move(*transfer));
   }

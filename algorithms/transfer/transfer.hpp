@@ -47,6 +47,8 @@ Result<Transfer> transfer_between(const Level& finer, const Level& coarser,
                                   const Progress& progress = {});
 
 /// All transfers of a hierarchy: entry k is that between levels k and k + 1.
-Result<std::vector<Transfer>> transfers_of(const Hierarchy& hierarchy);
+/// Requires: at least one level. Errors, progress: as transfer_between().
+Result<std::vector<Transfer>> transfers_of(const Hierarchy& hierarchy,
+                                           const Progress& progress = {});
 
 }  // namespace wellspaced
