@@ -77,14 +77,14 @@ class ChainWalk {
  private:
   // Calls visit(neighbour, half-edge between, in either direction) for the nodes at `place`.
   template <class Visit>
-  void for_each_neighbour(Point2 place, Visit visit) const {
-    for (const Index v : by_place_.at(place)) stars_.for_each_neighbour(v, visit);
+  void for_each_neighbor(Point2 place, Visit visit) const {
+    for (const Index v : by_place_.at(place)) stars_.for_each_neighbor(v, visit);
   }
 
   // The nearest neighbour of the nodes at `at` that lies on the segment a, b further on.
   Index next_node(Point2 a, Point2 b, Point2 at) const {
     Index nearest = kNoIndex;
-    for_each_neighbour(at, [&](Index w, Index) {
+    for_each_neighbor(at, [&](Index w, Index) {
       const Point2 p = mesh_.points[w];
       if (nearest != kNoIndex && distance(at, p) >= distance(at, mesh_.points[nearest])) return;
       if (p == b ||
@@ -96,7 +96,7 @@ class ChainWalk {
 
   // All edges between two places: on a slit there are two.
   void mark_edges(Point2 from, Point2 to) {
-    for_each_neighbour(from, [&](Index w, Index h) {
+    for_each_neighbor(from, [&](Index w, Index h) {
       if (mesh_.points[w] != to) return;
       on_domain_[h] = 1;
       if (half_edges_.twin[h] != kNoIndex) on_domain_[half_edges_.twin[h]] = 1;

@@ -31,7 +31,7 @@ class Neighbours {
   template <class Visit>
   void for_each(Index v, Visit visit) const {
     const auto tell = [&](Index w) { visit(w, distance(points_[v], points_[w])); };
-    stars_.for_each_neighbour(v, [&](Index w, Index) { tell(w); });
+    stars_.for_each_neighbor(v, [&](Index w, Index) { tell(w); });
     auto arc = std::lower_bound(by_segment_.begin(), by_segment_.end(), std::array{v, Index{0}});
     for (; arc != by_segment_.end() && (*arc)[0] == v; ++arc) tell((*arc)[1]);
   }

@@ -33,7 +33,7 @@ class Stars {
   /// Calls visit(neighbour, half-edge that joins them, in either direction); a neighbour across an
   /// inner edge is visited twice.
   template <class Visit>
-  void for_each_neighbour(Index v, Visit visit) const {
+  void for_each_neighbor(Index v, Visit visit) const {
     for (const Index h : leaving(v)) {
       visit(target(triangles_, h), h);
       visit(apex(triangles_, h), HalfEdges::previous(h));

@@ -45,7 +45,7 @@ Square tree_square(std::span<const Point2> points, double unit, double beta) {
   const Box2 box = Box2::around(points);
   const Square square{{box.low.x + half_side, box.low.y + half_side}, half_side};
   const bool is_finite =
-      std::isfinite(square.center.x + half_side) && std::isfinite(square.center.y + half_side);
+      std::isfinite(square.centre.x + half_side) && std::isfinite(square.centre.y + half_side);
   return is_finite ? square : around;
 }
 

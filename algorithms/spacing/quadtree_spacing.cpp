@@ -6,7 +6,7 @@
 
 namespace wellspaced {
 LeafSpacing::Leaf LeafSpacing::leaf_of(const Quadtree& tree, Index leaf) {
-  return {tree.side_at(tree.depth(leaf) + 1), tree.center(leaf), tree.box(leaf)};
+  return {tree.side_at(tree.depth(leaf) + 1), tree.centre(leaf), tree.box(leaf)};
 }
 
 LeafSpacing::LeafSpacing(const Quadtree& tree, const QuadtreeTopology& topology, Index leaf)
@@ -16,9 +16,9 @@ LeafSpacing::LeafSpacing(const Quadtree& tree, const QuadtreeTopology& topology,
 }
 
 double LeafSpacing::cone_value(Point2 x) const {
-  double value = own_.half_side + distance(x, own_.center);
+  double value = own_.half_side + distance(x, own_.centre);
   for (const Leaf& leaf : around_)
-    value = std::min(value, leaf.half_side + distance(x, leaf.center));
+    value = std::min(value, leaf.half_side + distance(x, leaf.centre));
   return value;
 }
 

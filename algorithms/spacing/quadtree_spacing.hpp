@@ -36,7 +36,7 @@ class LeafSpacing {
  private:
   struct Leaf {
     double half_side;
-    Point2 center;
+    Point2 centre;
     Box2 box;
   };
   static Leaf leaf_of(const Quadtree& tree, Index leaf);

@@ -107,8 +107,8 @@ std::uint32_t deepest_cell(double offset) {
 double offset_of(double cells) { return cells * 0x1p-30 - 1; }
 
 Point2 point_at(const Square& square, double columns, double rows) {
-  return {square.center.x + square.half_side * offset_of(columns),
-          square.center.y + square.half_side * offset_of(rows)};
+  return {square.centre.x + square.half_side * offset_of(columns),
+          square.centre.y + square.half_side * offset_of(rows)};
 }
 
 Box2 box_of(const Square& square, MortonCode start, int depth) {
@@ -123,14 +123,14 @@ Square Square::around(std::span<const Point2> points) {
   if (points.empty()) return {};
   const Box2 box = Box2::around(points);
   const double half_side = std::max(box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2);
-  const Point2 center{box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2};
-  if (half_side > 0) return {center, half_side};
-  return {center, box.low == box.high ? 1 : std::numeric_limits<double>::denorm_min()};
+  const Point2 centre{box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2};
+  if (half_side > 0) return {centre, half_side};
+  return {centre, box.low == box.high ? 1 : std::numeric_limits<double>::denorm_min()};
 }
 
 MortonCode Square::cell_of(Point2 p) const {
-  return morton::encode(deepest_cell((p.x - center.x) / half_side),
-                        deepest_cell((p.y - center.y) / half_side));
+  return morton::encode(deepest_cell((p.x - centre.x) / half_side),
+                        deepest_cell((p.y - centre.y) / half_side));
 }
 
 Quadtree::Quadtree(Square square, std::vector<MortonCode> starts)
@@ -141,7 +141,7 @@ Quadtree::Quadtree(Square square, std::vector<MortonCode> starts)
 
 double Quadtree::side_at(int depth) const { return std::ldexp(square_.half_side, 1 - depth); }
 
-Point2 Quadtree::center(Index leaf) const {
+Point2 Quadtree::centre(Index leaf) const {
   const double half = std::ldexp(0.5, kMortonDepth - depth(leaf));
   return point_at(square_, morton::column(starts_[leaf]) + half, morton::row(starts_[leaf]) + half);
 }

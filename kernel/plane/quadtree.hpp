@@ -16,7 +16,7 @@ namespace wellspaced {
 
 /// An axis-parallel square; half its side, so that it is finite for any finite points.
 struct Square {
-  Point2 center;
+  Point2 centre;
   double half_side = 1;
 
   /// The smallest square around some points: centred, not empty. No points: the default square.
@@ -59,7 +59,7 @@ class Quadtree {
   /// The side of boxes of a depth: exact but for underflow, infinite if the square's is.
   double side_at(int depth) const;
   double side(Index leaf) const { return side_at(depth(leaf)); }
-  Point2 center(Index leaf) const;
+  Point2 centre(Index leaf) const;
   Box2 box(Index leaf) const;
 
   /// The leaf that has a cell of the deepest grid, or a point. Cost: O(log leaves).

@@ -40,7 +40,7 @@ Result<Sphere> circumsphere(Point3 a, Point3 b, Point3 c, Point3 d) {
   const Sphere sphere{{a.x + std::ldexp(offset.x, -exponent), a.y + std::ldexp(offset.y, -exponent),
                        a.z + std::ldexp(offset.z, -exponent)},
                       std::ldexp(std::sqrt(dot(offset, offset)), -exponent)};
-  if (!std::isfinite(largest(sphere.center)) || !std::isfinite(sphere.radius) || sphere.radius == 0)
+  if (!std::isfinite(largest(sphere.centre)) || !std::isfinite(sphere.radius) || sphere.radius == 0)
     return Error{
         ErrorCode::kInvalidGeometry, "the circumsphere is beyond the range of doubles", {}};
   return sphere;

@@ -8,7 +8,7 @@
 namespace wellspaced {
 
 struct Sphere {
-  Point3 center;
+  Point3 centre;
   double radius = 0;
 };
 

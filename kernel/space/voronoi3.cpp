@@ -25,7 +25,7 @@ Point3 along(Point3 a, Point3 b, double t) {
 
 // Whether the Voronoi vertices of the two tets at a facet are the same; those of ghosts lie at
 // infinity, in the direction off their hull facets.
-bool have_same_center(const Delaunay3& delaunay, Facet f) {
+bool have_same_centre(const Delaunay3& delaunay, Facet f) {
   const Triangulation3& topology = delaunay.topology();
   const auto& p = delaunay.points();
   const Facet m = topology.mirror(f);
@@ -38,19 +38,19 @@ bool have_same_center(const Delaunay3& delaunay, Facet f) {
 
 // The tets around a vertex, and for each the number of its Voronoi vertex.
 struct Corners {
-  std::vector<std::pair<Index, Index>> center_of_tet;  // ascending
+  std::vector<std::pair<Index, Index>> centre_of_tet;  // ascending
 
   Index* find(Index t) {
     const auto at =
-        std::lower_bound(center_of_tet.begin(), center_of_tet.end(), std::pair(t, Index{0}));
-    return at != center_of_tet.end() && at->first == t ? &at->second : nullptr;
+        std::lower_bound(centre_of_tet.begin(), centre_of_tet.end(), std::pair(t, Index{0}));
+    return at != centre_of_tet.end() && at->first == t ? &at->second : nullptr;
   }
 };
 
 Corners corners_around(const Delaunay3& delaunay, const std::vector<Index>& tets) {
   Corners corners;
-  for (const Index t : tets) corners.center_of_tet.emplace_back(t, kNoIndex);
-  sort(corners.center_of_tet);
+  for (const Index t : tets) corners.centre_of_tet.emplace_back(t, kNoIndex);
+  sort(corners.centre_of_tet);
   Index count = 0;
   for (const Index first : tets) {
     if (*corners.find(first) != kNoIndex) continue;
@@ -59,10 +59,10 @@ Corners corners_around(const Delaunay3& delaunay, const std::vector<Index>& tets
     for (std::size_t next = 0; next < same.size(); ++next) {
       for (unsigned i = 0; i < 4; ++i) {
         const Index t = delaunay.topology().neighbor(same[next], i);
-        Index* const center = corners.find(t);
-        if (!center || *center != kNoIndex || !have_same_center(delaunay, {same[next], i}))
+        Index* const centre = corners.find(t);
+        if (!centre || *centre != kNoIndex || !have_same_centre(delaunay, {same[next], i}))
           continue;
-        *center = count;
+        *centre = count;
         same.push_back(t);
       }
     }
@@ -130,7 +130,7 @@ class CellBuilder {
       half_spaces_.push_back({q, dot(q, q) / 2});
       neighbors_.push_back(u);
     }
-    center_ = along(low, high, 0.5);
+    centre_ = along(low, high, 0.5);
     reach_ = std::fabs(high.x - low.x) + std::fabs(high.y - low.y) + std::fabs(high.z - low.z);
   }
 
@@ -156,11 +156,11 @@ class CellBuilder {
                         : y <= z         ? Point3{0, 1, 0}
                                          : Point3{0, 0, 1};
     const Point3 u = cross(n, axis), v = cross(n, u);
-    const double down = h.excess(center_) / length, r = 4 * (reach_ + std::fabs(down));
+    const double down = h.excess(centre_) / length, r = 4 * (reach_ + std::fabs(down));
     const auto at = [&](double s, double t) {
-      return Point3{center_.x - down * n.x + s * u.x + t * v.x,
-                    center_.y - down * n.y + s * u.y + t * v.y,
-                    center_.z - down * n.z + s * u.z + t * v.z};
+      return Point3{centre_.x - down * n.x + s * u.x + t * v.x,
+                    centre_.y - down * n.y + s * u.y + t * v.y,
+                    centre_.z - down * n.z + s * u.z + t * v.z};
     };
     return {
         {at(r, r), kNoIndex}, {at(-r, r), kNoIndex}, {at(-r, -r), kNoIndex}, {at(r, -r), kNoIndex}};
@@ -169,8 +169,8 @@ class CellBuilder {
   // The number of the corner where three planes meet: the same from all facets that meet there.
   Index vertex_number(std::array<Index, 3> planes, Point3 at) {
     sort(planes);
-    const Index center = common_center(planes);
-    if (center != kNoIndex) planes = {center, kNoIndex, kNoIndex};
+    const Index centre = common_centre(planes);
+    if (centre != kNoIndex) planes = {centre, kNoIndex, kNoIndex};
     const auto [it, is_new] =
         numbers_.try_emplace(planes, static_cast<Index>(cell_.vertices.size()));
     if (is_new) cell_.vertices.push_back({site_.x + at.x, site_.y + at.y, site_.z + at.z});
@@ -178,7 +178,7 @@ class CellBuilder {
   }
 
   // The Voronoi vertex on three bisectors, if it is exactly one.
-  Index common_center(const std::array<Index, 3>& planes) const {
+  Index common_centre(const std::array<Index, 3>& planes) const {
     if (planes[0] < kBoxPlanes || planes[2] == kNoIndex) return kNoIndex;
     std::vector<Index> common = facets_.at(neighbors_[planes[0]]);
     for (unsigned k = 1; k < 3; ++k) {
@@ -208,7 +208,7 @@ class CellBuilder {
   std::map<Index, std::vector<Index>> facets_;
   std::vector<HalfSpace> half_spaces_;
   std::vector<Index> neighbors_;  // of each half space
-  Point3 center_;
+  Point3 centre_;
   double reach_ = 0;
   std::map<std::array<Index, 3>, Index> numbers_;
   VoronoiCell3 cell_;

@@ -21,12 +21,12 @@ double gap_sq(Point3 p, Point3 q) { return dot(p - q, p - q); }
 // Whether the ball of this radius around p lies inside a sphere.
 bool lies_within(Point3 p, double radius, const Sphere& sphere) {
   const double room = sphere.radius - radius;
-  return room > 0 && gap_sq(p, sphere.center) < room * room;
+  return room > 0 && gap_sq(p, sphere.centre) < room * room;
 }
 
 bool spheres_meet(const Sphere& a, const Sphere& b) {
   const double reach = a.radius + b.radius;
-  return gap_sq(a.center, b.center) < reach * reach;
+  return gap_sq(a.centre, b.centre) < reach * reach;
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ RoomSearch3::Cell RoomSearch3::look_at(const std::array<Index, 4>& corners) {
 void RoomSearch3::look_around(Index t, Point3 middle) {
   const Triangulation3& topology = packing_.delaunay.topology();
   double reach = 0, most = 0;
-  for (const Sphere& ball : corners_) reach = std::max(reach, length(ball.center - middle));
+  for (const Sphere& ball : corners_) reach = std::max(reach, length(ball.centre - middle));
   for (const Sphere& ball : corners_) most = std::max(most, ball.radius);
   most += 2 * packing_.slope * reach;
   run_of_.resize(std::max<std::size_t>(run_of_.size(), topology.size()));
@@ -119,7 +119,7 @@ double RoomSearch3::farthest_out(Point3 p) const {
 double RoomSearch3::least_radius(Point3 p) const {
   double least = 0;
   for (const Sphere& ball : corners_)
-    least = std::max(least, ball.radius - packing_.slope * length(p - ball.center));
+    least = std::max(least, ball.radius - packing_.slope * length(p - ball.centre));
   return least;
 }
 
@@ -128,7 +128,7 @@ double RoomSearch3::least_radius(Point3 p) const {
 bool RoomSearch3::is_full(const Cell& cell, double least) const {
   const double reach = cell.reach();
   const auto is_too_near = [&](const Sphere& ball) {
-    return lies_within(cell.centre, reach, {ball.center, ball.radius + least});
+    return lies_within(cell.centre, reach, {ball.centre, ball.radius + least});
   };
   return any_of(corners_, is_too_near) || any_of(balls_, is_too_near) ||
          any_of(guards_,

@@ -303,11 +303,11 @@ Result<bool> SolidPacking::try_circumcentre(Index t) {
   for (const Index v : corners) largest = std::max(largest, radius_[v]);
   if (!(largest < sphere.radius) || !std::isfinite(sphere.radius)) return false;
   if (2 * largest - options_.slope * sphere.radius > sphere.radius) return false;
-  const double radius = options_.radius(sphere.center);
+  const double radius = options_.radius(sphere.centre);
   if (!(radius > 0)) return no_radius();
   if (radius + largest > sphere.radius) return false;
   const bool is_certain = 2 * radius <= sphere.radius * (1 - options_.slope);
-  return try_ball(t, {sphere.center, radius}, is_certain);
+  return try_ball(t, {sphere.centre, radius}, is_certain);
 }
 
 Result<bool> SolidPacking::try_everywhere(Index t, RoomSearch3& search) {
@@ -322,7 +322,7 @@ Result<bool> SolidPacking::try_everywhere(Index t, RoomSearch3& search) {
 // Adds the centre of a ball, which lies in the circumsphere of tet t, unless the ball meets others.
 Result<bool> SolidPacking::try_ball(Index t, const Sphere& ball, bool is_certain) {
   const Index region = region_of_[t];
-  const Point3 p = ball.center;
+  const Point3 p = ball.centre;
   const auto meets_ball = [&](Index w) {
     const Point3 way = p - point(w);
     const double reach = ball.radius + radius_[w];

@@ -35,7 +35,7 @@ double half_side(const Quadtree& tree, Index leaf) { return tree.side(leaf) / 2;
 double slow_cone_value(const Quadtree& tree, Point2 x) {
   double value = kInfinity;
   for (Index leaf = 0; leaf < tree.leaves(); ++leaf)
-    value = std::min(value, half_side(tree, leaf) + distance(x, tree.center(leaf)));
+    value = std::min(value, half_side(tree, leaf) + distance(x, tree.centre(leaf)));
   return value;
 }
 
@@ -51,7 +51,7 @@ double slow_envelope_value(const Quadtree& tree, Point2 x) {
 std::vector<Point2> places_in(const Quadtree& tree, Index leaf, Random& random) {
   const Box2 box = tree.box(leaf);
   std::vector<Point2> places{
-      box.low, box.high, {box.low.x, box.high.y}, {box.high.x, box.low.y}, tree.center(leaf)};
+      box.low, box.high, {box.low.x, box.high.y}, {box.high.x, box.low.y}, tree.centre(leaf)};
   for (int i = 0; i < 5; ++i)
     places.push_back(
         {random.uniform(box.low.x, box.high.x), random.uniform(box.low.y, box.high.y)});
@@ -129,7 +129,7 @@ TEST(QuadtreeSpacing, OfCoarsenedTreesStaysSimilarToCoarseningFunctionsAsTheorem
     std::vector<double> f;
     const QuadtreeTopology finest(tree);
     for (Index leaf = 0; leaf < tree.leaves(); ++leaf) {
-      places.push_back(tree.center(leaf));
+      places.push_back(tree.centre(leaf));
       f.push_back(LeafSpacing(tree, finest, leaf).cone_value(places.back()));
     }
     while (tree.leaves() > 1) {

@@ -49,7 +49,7 @@ TEST(Quadtree, OfNoPointsIsOneLeaf) {
   ASSERT_EQ(tree.leaves(), 1u);
   EXPECT_EQ(tree.depth(0), 0);
   EXPECT_EQ(tree.side(0), 2);
-  EXPECT_EQ(tree.center(0), Point2{});
+  EXPECT_EQ(tree.centre(0), Point2{});
 }
 
 TEST(Quadtree, OfTwoPointsIsAsDeepAsTheirFirstCommonBox) {
@@ -135,7 +135,7 @@ TEST(Quadtree, LeavesNeitherGapNorOverlap) {
   for (Index leaf = 0; leaf < tree.leaves(); ++leaf) {
     EXPECT_EQ(tree.start(leaf) + morton::cells_in(tree.depth(leaf)), tree.start(leaf + 1));
     EXPECT_LE(morton::coarsest_depth(tree.start(leaf)), tree.depth(leaf));
-    EXPECT_EQ(tree.locate(tree.center(leaf)), leaf);
+    EXPECT_EQ(tree.locate(tree.centre(leaf)), leaf);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 TEST(Circumsphere, OfTheCornerOfACubeIsTheCubes) {
   const auto sphere = circumsphere({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2});
   ASSERT_TRUE(sphere.ok());
-  EXPECT_EQ(sphere->center, (Point3{1, 1, 1}));
+  EXPECT_EQ(sphere->centre, (Point3{1, 1, 1}));
   EXPECT_EQ(sphere->radius, std::sqrt(3.0));
 }
 
@@ -23,8 +23,8 @@ TEST(Circumsphere, IsEquallyFarFromAllCornersAtEveryScale) {
     const auto sphere = circumsphere(p[0], p[1], p[2], p[3]);
     ASSERT_TRUE(sphere.ok());
     for (const Point3 q : p)
-      EXPECT_NEAR(std::hypot((q.x - sphere->center.x) / scale, (q.y - sphere->center.y) / scale,
-                             (q.z - sphere->center.z) / scale),
+      EXPECT_NEAR(std::hypot((q.x - sphere->centre.x) / scale, (q.y - sphere->centre.y) / scale,
+                             (q.z - sphere->centre.z) / scale),
                   sphere->radius / scale, 1e-13);
   }
 }
