@@ -129,7 +129,7 @@ CoarseningOptions theorem_options(CoarseningMethod method);
 /// Requires: counter-clockwise triangles that do not overlap; coincident nodes only across slits.
 /// Errors: kUsage for an option or special point out of range (ids: the points);
 ///   kInvalidGeometry for an index out of range, a coordinate that is not finite, points further
-///   apart than the largest double, or a boundary that crosses itself; kLimit for meshes beyond 2^28 nodes.
+///   apart than the largest double, or a boundary that crosses itself; kLimit beyond 2^28 nodes.
 /// Cancelled: the levels that are finished are returned, with complete = false; kCancelled where
 ///   that happens in the phase "prepare".
 /// Cost: O(n log n) for bounded factor and degrees, fine to coarse; with the other schemes every
