@@ -103,6 +103,40 @@ void describe_repetitions(const Pslg& domain, const PlanarTriangulation& graph,
   if (repeated > 0) notes.push_back(concat({counted(repeated, "segment"), " repeat others"}));
 }
 
+// Counts the pieces of a split segment each.
+std::size_t segments_outside(const PlanarTriangulation& graph) {
+  const Triangulation2& topology = graph.delaunay.topology();
+  std::size_t outside = 0;
+  for (Index t = 0; t < topology.size(); ++t)
+    for (unsigned i = 0; i < 3; ++i)
+      outside += topology.is_constrained({t, i}) && t < topology.neighbor(t, i) &&
+                 !graph.in_domain[t] && !graph.in_domain[topology.neighbor(t, i)];
+  return outside;
+}
+
+std::string left_out(std::size_t count, const std::string& thing) {
+  return concat(
+      {counted(count, thing), " outside the domain ", count == 1 ? "is" : "are", " left out"});
+}
+
+// The points and segments of the domain that are no part of the mesh.
+void describe_outside(const Pslg& domain, const PlanarTriangulation& graph, PackedMesh& packed) {
+  std::vector<std::uint8_t> is_node(graph.delaunay.points().size());
+  for (const Index p : packed.domain_point)
+    if (p != kNoIndex) is_node[p] = 1;
+  Index first = kNoIndex;
+  std::size_t outside = 0;
+  for (Index p = 0; p < domain.points.size(); ++p) {
+    if (is_node[graph.delaunay.representative(p)]) continue;
+    if (outside++ == 0) first = p;
+  }
+  if (outside > 0)
+    packed.notes.push_back(
+        concat({left_out(outside, "point"), ", the first: point ", first, " (counted from 0)"}));
+  if (const std::size_t loose = segments_outside(graph); loose > 0)
+    packed.notes.push_back(left_out(loose, "segment"));
+}
+
 // ---- Regions -------------------------------------------------------------------------------
 
 // Which region's seed can be reached from each triangle without crossing a segment; the first.
@@ -290,6 +324,7 @@ Result<PackedMesh> pack_scaled_domain(const Pslg& input, const PackingOptions& o
   packed.sharp_corners = corners;
   packed.without_guarantee = badly_shaped(packed.mesh, options.smallest_angle_deg);
   describe_repetitions(input, *graph, packed.notes);
+  describe_outside(input, *graph, packed);
   return packed;
 }
 

@@ -378,6 +378,20 @@ TEST(PackDomain, TakesNestedDuplicatesOnceAndSaysSo) {
   EXPECT_EQ(result.mesh.triangles, packed(unit_square()).mesh.triangles);
 }
 
+TEST(PackDomain, SaysWhichPointsAndSegmentsLieOutside) {
+  Pslg domain = unit_square();
+  domain.points.insert(domain.points.end(), {{0.5, 0.5}, {3, 0}, {5, 1}, {3, 0}});
+  const auto points_only = packed(domain);
+  ASSERT_EQ(points_only.notes.size(), 2u);
+  EXPECT_EQ(points_only.notes[1],
+            "3 points outside the domain are left out, the first: point 5 (counted from 0)");
+  domain.segments.push_back({5, 6});
+  const auto with_segment = packed(domain);
+  ASSERT_EQ(with_segment.notes.size(), 3u);
+  EXPECT_EQ(with_segment.notes[2], "1 segment outside the domain is left out");
+  EXPECT_TRUE(packed(unit_square()).notes.empty());
+}
+
 TEST(PackDomain, RefusesOptionsOutOfRange) {
   PackingOptions options;
   options.beta = 1.5;
