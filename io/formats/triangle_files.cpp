@@ -210,10 +210,12 @@ Status write_triangle_set(OutputSet& outputs, const std::string& path, const Geo
     write_poly(out, g, PolyPoints::kInNodeFile);
   };
   Status status = add(".node", write_node);
-  if (status.ok() && (all || geometry.has_cells())) status = add(".ele", write_ele);
+  if (status.ok() && (all || geometry.has_cells() || has_extension(path, ".ele")))
+    status = add(".ele", write_ele);
   const bool plane = geometry.dimension == 2;
   const bool poly = needs_poly(geometry) || (all && plane);
-  if (status.ok() && poly) status = add(".poly", write_references);
+  if (status.ok() && (poly || has_extension(path, ".poly")))
+    status = add(".poly", write_references);
   const bool space_mesh = !poly && !plane;
   if (status.ok() && space_mesh && !geometry.solid.facets.empty())
     status = add(".face", write_face);

@@ -33,7 +33,8 @@ enum class EmptyFiles { kLeaveOut, kWrite };
 
 /// Writes the set that `path`, with or without the extension of a file of it, stands for: .node,
 /// .ele, .poly and, if that is the extension, .edge. A mesh in space has .face and .edge for the
-/// .poly, unless it comes with polygons, holes or regions.
+/// .poly, unless it comes with polygons, holes or regions. An .ele or .poly that `path` names is
+/// written in any case: what is read by that name must be there.
 /// Errors: kUsage where `path` names a folder: "dir/", "..".
 [[gnu::cold]] Status write_triangle_set(OutputSet& outputs, const std::string& path,
                                         const Geometry& geometry,

@@ -108,6 +108,26 @@ TEST(Convert, WritesTrianglesFilesWhereTheNameSaysNothing) {
 }
 
 // They became hidden files: "dir/.node".
+// A tetrahedral mesh as b.poly came out as b.node, b.ele, b.face and b.edge alone.
+TEST(Convert, WritesTheFileOfASetThatWasNamed) {
+  const TemporaryDirectory directory;
+  const std::string tet =
+      directory.write("a.node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+  const std::string cloud = directory.write("c.xyz", "0 0\n1 0\n0 1\n");
+  directory.write("a.ele", "1 4 0\n1 1 2 3 4\n");
+  directory.write("a.face", "2 1\n1 1 2 3 7\n2 1 2 4 8\n");
+  directory.write("a.edge", "1 1\n1 1 2 5\n");
+  EXPECT_EQ(run_program({"convert", tet, directory / "b.poly"}).exit_code, 0);
+  EXPECT_EQ(run_program({"convert", directory / "b.poly", directory / "d.node"}).exit_code, 0);
+  for (const char* extension : {".node", ".ele", ".face", ".edge"})
+    EXPECT_EQ(read_bytes(directory / (std::string("a") + extension)),
+              read_bytes(directory / (std::string("d") + extension)))
+        << extension;
+  EXPECT_EQ(read_bytes(directory / "b.poly").substr(0, 14), "0 3 0 0\n3 1\n1 ");
+  EXPECT_EQ(run_program({"convert", cloud, directory / "e.ele"}).exit_code, 0);
+  EXPECT_EQ(run_program({"convert", directory / "e.ele", directory / "f.xyz"}).exit_code, 0);
+}
+
 TEST(Convert, RefusesTheNameOfAFolderForASetOfFiles) {
   const TemporaryDirectory directory;
   const std::string mesh = write_square(directory);
