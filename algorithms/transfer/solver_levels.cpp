@@ -4,26 +4,31 @@
 #include <utility>
 
 #include "wellspaced/algorithms/audit/intersection.hpp"
+#include "wellspaced/algorithms/audit/shape_tools.hpp"
 #include "wellspaced/kernel/corner_table.hpp"
 #include "wellspaced/kernel/distance.hpp"
 
 namespace wellspaced {
 namespace {
 
-double mesh_area(const TriangleMesh& mesh) {
+Point2 times(double scale, Point2 p) { return {scale * p.x, scale * p.y}; }
+
+// Of a mesh, scaled, so that neither overflows nor vanishes.
+double mesh_area(const TriangleMesh& mesh, double scale) {
   double twice = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Point2 p = mesh.points[a], q = mesh.points[b], r = mesh.points[c];
+  for (const auto& t : mesh.triangles) {
+    const Point2 p = times(scale, mesh.points[t[0]]), q = times(scale, mesh.points[t[1]]),
+                 r = times(scale, mesh.points[t[2]]);
     twice += (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   }
   return twice / 2;
 }
 
-double mesh_perimeter(const TriangleMesh& mesh) {
+double mesh_perimeter(const TriangleMesh& mesh, double scale) {
   double sum = 0;
   const auto nodes = static_cast<Index>(mesh.points.size());
   for (const auto& [a, b] : boundary_edges(corner_table(mesh.triangles, nodes)))
-    sum += distance(mesh.points[a], mesh.points[b]);
+    sum += distance(times(scale, mesh.points[a]), times(scale, mesh.points[b]));
   return sum;
 }
 
@@ -54,14 +59,15 @@ Result<SolverHierarchy> prepare_for_solver(const Hierarchy& hierarchy, const Pro
   const TriangleMesh& finest = hierarchy.levels[0].mesh;
   const std::vector<OperatorSize> sizes = operator_sizes(finest, solver.transfers, parts.part(0));
   if (parts.stopped()) return cancelled();
-  const double area = mesh_area(finest), perimeter = mesh_perimeter(finest);
+  const double scale = audit::scale_of(finest.points);
+  const double area = mesh_area(finest, scale), perimeter = mesh_perimeter(finest, scale);
   double nodes = 0;
   for (std::size_t k = 0; k < levels; ++k) {
     const Level& level = hierarchy.levels[k];
     SolverLevel row;
     row.galerkin = sizes[k];
-    row.area_kept = part_of(mesh_area(level.mesh), area);
-    row.perimeter_kept = part_of(mesh_perimeter(level.mesh), perimeter);
+    row.area_kept = part_of(mesh_area(level.mesh, scale), area);
+    row.perimeter_kept = part_of(mesh_perimeter(level.mesh, scale), perimeter);
     if (k > 0)
       describe_step(hierarchy.levels[k - 1], level, solver.transfers[k - 1], parts.part(k), row);
     if (!parts.go_on(k + 1)) return cancelled();

@@ -71,6 +71,28 @@ TEST(PrepareForSolver, CanBeCancelled) {
   EXPECT_EQ(phases, (std::set<std::string>{"measure", "transfer"}));
 }
 
+// The perimeter overflowed, and the table said -nan%.
+TEST(PrepareForSolver, TellsWhatIsKeptAtAnyScale) {
+  const Hierarchy deep = coarsen(test::grid_mesh({.nx = 12, .ny = 12}), {.factor = 2}).value();
+  const auto prepared_at = [&](double scale) {
+    Hierarchy scaled = deep;
+    for (Level& level : scaled.levels)
+      for (Point2& p : level.mesh.points) p = {scale * p.x, scale * p.y};
+    return prepare_for_solver(scaled).value();
+  };
+  const auto usual = prepared_at(1);
+  ASSERT_GE(usual.levels.size(), 3u);
+  EXPECT_NE(usual.levels.back().perimeter_kept, 1);
+  for (const double scale : {0x1p1019, 0x1p-900}) {
+    const auto solver = prepared_at(scale);
+    ASSERT_EQ(solver.levels.size(), usual.levels.size());
+    for (std::size_t k = 0; k < usual.levels.size(); ++k) {
+      EXPECT_DOUBLE_EQ(solver.levels[k].area_kept, usual.levels[k].area_kept);
+      EXPECT_DOUBLE_EQ(solver.levels[k].perimeter_kept, usual.levels[k].perimeter_kept);
+    }
+  }
+}
+
 TEST(OperatorComplexity, IsTheSumByTheFinest) {
   const std::vector<OperatorSize> sizes = {{100, 7, 8}, {40, 9, 12}, {10, 5, 5}};
   EXPECT_DOUBLE_EQ(operator_complexity(sizes), 1.5);
