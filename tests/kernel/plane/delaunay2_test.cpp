@@ -8,6 +8,7 @@
 
 #include "tests/support/point_families.hpp"
 #include "tests/support/triangulation_checks.hpp"
+#include "wellspaced/kernel/elementary.hpp"
 #include "wellspaced/kernel/point_order.hpp"
 
 namespace wellspaced {
@@ -55,6 +56,19 @@ TEST(Delaunay2, NotFiniteCoordinatesAreErrorsThatNameThePoints) {
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, ErrorCode::kInvalidGeometry);
   EXPECT_EQ(result.error().ids, (std::vector<Index>{1, 3}));
+}
+
+TEST(Delaunay2, APointMayJoinThousandsAtOnce) {
+  constexpr Index kRim = 5000;
+  std::vector<Point2> points;
+  for (Index i = 0; i < kRim; ++i) points.push_back(circle_point(static_cast<double>(i) / kRim));
+  points.push_back({0x1p-10, 0x1p-11});
+  // The hub goes in behind most of the rim.
+  const std::vector<Index> order = insertion_order(points);
+  ASSERT_GT(std::find(order.begin(), order.end(), kRim) - order.begin(), kRim / 2);
+  const Delaunay2 dt = built(points);
+  EXPECT_TRUE(dt.topology().is_valid());
+  EXPECT_EQ(dt.topology().degree(dt.edge_from(kRim)), kRim);
 }
 
 TEST(Delaunay2, EveryOrderAlongACurveGivesTheDelaunayTriangulation) {
