@@ -10,6 +10,7 @@
 #include "wellspaced/algorithms/packing/background_size.hpp"
 #include "wellspaced/algorithms/packing/pack_domain.hpp"
 #include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/cli/hole_seeds.hpp"
 #include "wellspaced/io/cli/mesh_size.hpp"
 #include "wellspaced/io/cli/mesh_space.hpp"
 #include "wellspaced/io/cli/packing_progress.hpp"
@@ -102,19 +103,21 @@ Geometry packed_geometry(const PackedMesh& packed, const Geometry& input) {
   return geometry;
 }
 
-Status write_mesh_files(const PackedMesh& packed, const Geometry& input, double beta,
-                        const Arguments& arguments, Session& session) {
+Status write_mesh_files(const PackedMesh& packed, const Geometry& input,
+                        const PackingOptions& options, const Arguments& arguments,
+                        Session& session) {
   const CommonOptions& common = session.options();
   if (const auto path = spacing_file(arguments, common)) {
     const Progress progress = session.writing();
     ProgressParts parts(progress, "write", 1);
-    const std::vector<double> spacing = packed_spacing(packed, beta, parts.part(0));
+    const std::vector<double> spacing = packed_spacing(packed, options.beta, parts.part(0));
     if (parts.stopped()) return cancelled();
-    const Status written = write_spacing(session.outputs(), *path, spacing, {false, beta});
+    const Status written = write_spacing(session.outputs(), *path, spacing, {false, options.beta});
     if (!written) return written.error();
   }
   if (common.output.empty()) return Ok{};
-  const Geometry geometry = packed_geometry(packed, input);
+  Geometry geometry = packed_geometry(packed, input);
+  leave_out_filled_holes(display_name(arguments.operands()[0]), options.holes, session, geometry);
   if (writes_triangle_files(common.output, common.format))
     return write_triangle_set(session.outputs(), common.output, geometry, EmptyFiles::kWrite);
   return write_geometry(session.outputs(), common.output, common.format, geometry);
@@ -220,7 +223,7 @@ Result<int> run_mesh(Arguments& arguments, Session& session) {
     session.note(concat({display_name(path), ": ", note}));
 
   const Stopwatch writing;
-  const Status written = write_mesh_files(*packed, *input, run.options.beta, arguments, session);
+  const Status written = write_mesh_files(*packed, *input, run.options, arguments, session);
   if (!written) return written.error();
   run.write = writing.elapsed();
   if (Status status = session.write_json(mesh_json(*packed, *input, run)); !status)

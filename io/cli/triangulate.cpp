@@ -5,6 +5,7 @@
 #include "wellspaced/algorithms/mesh/delaunay_cells.hpp"
 #include "wellspaced/algorithms/mesh/directed_edges.hpp"
 #include "wellspaced/io/cli/command.hpp"
+#include "wellspaced/io/cli/hole_seeds.hpp"
 #include "wellspaced/io/cli/stopwatch.hpp"
 #include "wellspaced/io/formats/formats.hpp"
 #include "wellspaced/io/formats/triangle_files.hpp"
@@ -264,6 +265,8 @@ Result<int> run_triangulate(Arguments& arguments, Session& session) {
 
   const Stopwatch writing;
   leave_out_loose_segments(report, session, geometry->mesh);
+  if (!session.options().output.empty())
+    leave_out_filled_holes(display_name(path), choices.holes, session, *geometry);
   if (Status status = write_result(session, *geometry); !status) return status.error();
   report.write = writing.elapsed();
   if (Status status = session.write_json(to_json(report)); !status) return status.error();

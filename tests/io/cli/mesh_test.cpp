@@ -147,6 +147,36 @@ TEST(MeshCommand, TakesABoundOnTheRadiusEdgeRatio) {
   EXPECT_EQ(run_program({"mesh", "-", "--beta", "1"}, kPlate).exit_code, 2);
 }
 
+// The .poly listed the seeds as holes, and the audit of the mesh failed.
+TEST(MeshCommand, ListsNoSeedsOfHolesThatAreNone) {
+  const TemporaryDirectory directory;
+  const std::string plate = directory.write("plate.poly", kPlate);  // a seed in its hole
+  const std::string corner =
+      directory.write("corner.poly", "3 2 0 0\n0 0 0\n1 4 0\n2 0 4\n0 0\n2\n0 9 9\n1 1 1\n");
+  const std::string divided =
+      directory.write("divided.poly",
+                      "6 2 0 0\n0 0 0\n1 4 0\n2 8 0\n3 8 4\n4 4 4\n5 0 4\n"
+                      "7 0\n0 0 1\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 0\n6 1 4\n1\n0 4 2\n");
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"-o", directory / "m", "--allow-small-angles"});
+    words.insert(words.begin(), "mesh");
+    const auto meshed = run_program(words);
+    EXPECT_EQ(meshed.exit_code, 0) << meshed.err;
+    EXPECT_EQ(run_program({"audit", directory / "m"}).exit_code, 0);
+    return meshed.err;
+  };
+  EXPECT_NE(run({plate, "--holes", "none"})
+                .find("1 hole seed lies in the mesh and not in a hole, the first: seed 0 (counted "
+                      "from 0); left out: only --holes seeds makes"),
+            std::string::npos);
+  EXPECT_NE(run({corner}).find("1 hole seed lies in the mesh and not in a hole, the first: seed 1"),
+            std::string::npos);
+  EXPECT_NE(read_bytes(directory / "m.poly").find("\n1\n0 9 9\n"), std::string::npos);
+  EXPECT_NE(run({divided}).find("left out: seeds must lie off the segments"), std::string::npos);
+  EXPECT_EQ(run({plate, "--holes", "parity"}).find("hole seed"), std::string::npos);
+  EXPECT_NE(read_bytes(directory / "m.poly").find("\n1\n1 4 4\n"), std::string::npos);
+}
+
 TEST(MeshCommand, SaysInOneLineWhatIsNoDomain) {
   const char* open = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n2 0\n1 1 2\n2 2 3\n0\n";
   const char* crossing =

@@ -67,6 +67,15 @@ TEST(Triangulate, WritesNoSegmentsOutsideTheDomain) {
   EXPECT_EQ(run_program({"audit", directory / "t"}).exit_code, 0);
 }
 
+TEST(Triangulate, ListsNoSeedsOfHolesThatAreNone) {
+  const TemporaryDirectory directory;
+  const auto run = run_program({"triangulate", "-", "-o", directory / "t"},
+                               "3 2 0 0\n0 0 0\n1 4 0\n2 0 4\n0 0\n1\n0 1 1\n");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("1 hole seed lies in the mesh"), std::string::npos) << run.err;
+  EXPECT_EQ(run_program({"audit", directory / "t"}).exit_code, 0);
+}
+
 TEST(Triangulate, PrintsTheKeysOfItsContract) {
   const Answer json({"-", "--cells-hash"}, kSquare);
   for (const char* key : {"points", "distinct_points", "dimension", "triangles", "tets",
