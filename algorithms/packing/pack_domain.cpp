@@ -296,10 +296,13 @@ Result<PackedMesh> pack_scaled_domain(const Pslg& input, const PackingOptions& o
   Result<PlanarTriangulation> graph = closed_domain(input, options, go_on);
   if (!graph) return graph.error();
   Pslg domain = input;
+  std::size_t hull_edges_added = 0;
   if (options.holes == HoleRule::kNone) {
+    const std::size_t before = graph->segments.size();
     enclose_hull(domain, *graph);
     graph = closed_domain(domain, options, go_on);
     if (!graph) return graph.error();
+    hull_edges_added = graph->segments.size() - before;
   }
   const std::vector<Corner> corners = sharp_corners(*graph);
   if (!corners.empty() && options.sharp_corners == SharpCorners::kRefuse)
@@ -325,6 +328,9 @@ Result<PackedMesh> pack_scaled_domain(const Pslg& input, const PackingOptions& o
   packed.without_guarantee = badly_shaped(packed.mesh, options.smallest_angle_deg);
   describe_repetitions(input, *graph, packed.notes);
   describe_outside(input, *graph, packed);
+  if (hull_edges_added > 0 && !input.segments.empty())
+    packed.notes.push_back(concat({"the mesh fills the convex hull; ",
+                                   counted(hull_edges_added, "edge"), " of it on no segment"}));
   return packed;
 }
 

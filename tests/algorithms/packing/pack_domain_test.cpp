@@ -392,6 +392,19 @@ TEST(PackDomain, SaysWhichPointsAndSegmentsLieOutside) {
   EXPECT_TRUE(packed(unit_square()).notes.empty());
 }
 
+TEST(PackDomain, SaysThatItFillsTheHullWhereSegmentsDoNot) {
+  PackingOptions options;
+  options.holes = HoleRule::kNone;
+  Pslg domain = unit_square();
+  EXPECT_TRUE(packed(domain, options).notes.empty());
+  domain.points.insert(domain.points.end(), {{2, 0}, {2, 1}});
+  const auto filled = packed(domain, options);
+  ASSERT_EQ(filled.notes.size(), 1u);
+  EXPECT_EQ(filled.notes[0], "the mesh fills the convex hull; 3 edges of it on no segment");
+  domain.segments.clear();
+  EXPECT_TRUE(packed(domain, options).notes.empty());
+}
+
 TEST(PackDomain, RefusesOptionsOutOfRange) {
   PackingOptions options;
   options.beta = 1.5;
