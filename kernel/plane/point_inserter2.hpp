@@ -19,7 +19,6 @@
 #include <utility>
 #include <vector>
 
-#include "wellspaced/kernel/large_pages.hpp"
 #include "wellspaced/kernel/lifted_filter.hpp"
 #include "wellspaced/kernel/mesh.hpp"
 #include "wellspaced/kernel/parallel.hpp"
