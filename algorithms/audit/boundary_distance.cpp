@@ -122,7 +122,7 @@ double hausdorff_distance(std::span<const Line> a, std::span<const Line> b) {
   if (a.empty()) return 0;
   const double largest = std::max(largest_coordinate(a), largest_coordinate(b));
   if (largest == 0) return 0;
-  const double scale = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+  const double scale = scale_to_one(largest);
   const std::vector<Line> p = scaled(a, scale), q = scaled(b, scale);
   return std::max(one_sided_distance(p, q), one_sided_distance(q, p)) / scale;
 }

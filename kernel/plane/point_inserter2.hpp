@@ -7,8 +7,8 @@
 // search for the triangles that p ends. The ghost is seen as (0, 0, s), the point at infinity of
 // the paraboloid: with it incircle says whether p lies beyond the hull edge.
 //
-// Two edges are looked over at a time. That halves the arithmetic, and most answers are there
-// before anything branches on them; no processor can guess those branches.
+// Two edges are looked over at a time, by the same instructions. So most answers are there before
+// anything branches on them; no processor can guess those branches.
 #pragma once
 
 #include <array>
